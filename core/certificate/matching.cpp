@@ -1,0 +1,76 @@
+// Check 1: the matching rules of the paper's section 4.3. On each face of the reference mesh a contribution
+// leaves a trace: the subset of the face's nodes that it is cut off around. At every trace on an inner face
+// the same D-bar-surfaces must arrive from both sides.
+#include <bit>
+
+#include "certificate/checks.h"
+
+namespace dualblock {
+namespace {
+
+struct Trace {
+  unsigned nodes;  // mask over the face's nodes in ascending order of node number
+  Index surface;
+  bool operator==(const Trace &o) const { return nodes == o.nodes && surface == o.surface; }
+  bool operator<(const Trace &o) const { return nodes != o.nodes ? nodes < o.nodes : surface < o.surface; }
+};
+
+template <int N>
+void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trace> &traces) {
+  traces.clear();
+  const auto &nodes = in.mesh.simplices[at(s)];
+  // Rank of each vertex among the face's nodes.
+  std::array<unsigned, N + 1> rank{};
+  for (int v = 0; v < N + 1; ++v)
+    for (int w = 0; w < N + 1; ++w)
+      if (v != face && w != face && nodes[w] < nodes[v]) ++rank[v];
+  for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != in.contributions.ofSimplex.end(s); ++c) {
+    unsigned mask = 0;
+    for (int v = 0; v < N + 1; ++v)
+      if (v != face && (c->mask >> v & 1)) mask |= 1U << rank[v];
+    if (mask == 0 || mask == (1U << N) - 1) continue; // misses the face, or runs parallel to it
+    traces.push_back({mask, in.surfaces.ofSide[at(c->side)]});
+  }
+  std::sort(traces.begin(), traces.end());
+}
+
+} // namespace
+
+template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &certificate) {
+  std::vector<Trace> left;
+  std::vector<Trace> right;
+  for (const NotFull &n : in.contributions.notFull)
+    certificate.fail(Check::matching, "a simplex touches a side that it should share a face with",
+                     {{"simplex", n.simplex}});
+  for (Index s = 0; s < in.mesh.simplexCount(); ++s) {
+    const bool empty = in.contributions.ofSimplex.size(s) == 0;
+    for (int i = 0; i < N + 1; ++i) {
+      const Index t = in.mesh.neighbors[at(s)][i];
+      if (t == kNone) {
+        if (empty) continue;
+        tracesOn(in, s, i, left);
+        for (std::size_t k = 0; k + 1 < left.size(); ++k)
+          if (left[k] == left[k + 1])
+            certificate.fail(Check::matching, "a D-bar-surface meets the boundary twice at one place",
+                             {{"simplex", s}});
+        continue;
+      }
+      if (t < s || (empty && in.contributions.ofSimplex.size(t) == 0)) continue;
+      int k = 0; // the face of t towards s: opposite to the vertex that s lacks
+      for (int v = 0; v < N + 1; ++v) {
+        const auto &mine = in.mesh.simplices[at(s)];
+        if (std::find(mine.begin(), mine.end(), in.mesh.simplices[at(t)][v]) == mine.end()) k = v;
+      }
+      tracesOn(in, s, i, left);
+      tracesOn(in, t, k, right);
+      if (left != right)
+        certificate.fail(Check::matching, "the D-bar-surfaces that arrive at a face from both sides differ",
+                         {{"simplex", s}, {"simplex", t}});
+    }
+  }
+}
+
+template void checkMatching(const CertificateInput<2> &, Certificate &);
+template void checkMatching(const CertificateInput<3> &, Certificate &);
+
+} // namespace dualblock

@@ -1,0 +1,198 @@
+// Check 3: the blocks by themselves form a conformal mesh with the topology of the domain.
+#include "base/disjoint_sets.h"
+#include "certificate/checks.h"
+
+namespace dualblock {
+namespace {
+
+/// Euler characteristic, components and boundary components of a mesh.
+struct Shape {
+  Index euler = 0;
+  Index components = 0;
+  Index shells = 0;
+  bool operator==(const Shape &) const = default;
+};
+
+std::string describe(const Shape &s) {
+  return "Euler characteristic " + std::to_string(s.euler) + ", " + std::to_string(s.components) +
+         " component(s), " + std::to_string(s.shells) + " boundary component(s)";
+}
+
+Index countSets(DisjointSets &sets, const std::vector<bool> &member) {
+  Index count = 0;
+  for (Index i = 0; i < toIndex(member.size()); ++i)
+    if (member[at(i)] && sets.find(i) == i) ++count;
+  return count;
+}
+
+/// Components of the nodes that the given cells (or boundary faces) hold together.
+template <typename Cells> Index nodeComponents(const Cells &cells, std::size_t nodes) {
+  DisjointSets sets(nodes);
+  std::vector<bool> used(nodes, false);
+  for (const auto &cell : cells)
+    for (const Index v : cell) {
+      used[at(v)] = true;
+      sets.unite(v, cell[0]);
+    }
+  return countSets(sets, used);
+}
+
+template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
+  // chi = nodes - edges + triangles - tetrahedra. Edges are counted by sorting node pairs (3D).
+  const ReferenceMesh<N> &mesh = in.mesh;
+  Shape shape;
+  Index outer = 0;
+  std::vector<std::array<Index, N>> boundary;
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i)
+      if (mesh.neighbors[at(s)][i] == kNone) {
+        ++outer;
+        std::array<Index, N> face;
+        for (int v = 0, m = 0; v < N + 1; ++v)
+          if (v != i) face[m++] = mesh.simplices[at(s)][v];
+        boundary.push_back(face);
+      }
+  if constexpr (N == 2) {
+    std::vector<bool> used(mesh.nodes.size(), false);
+    for (const auto &t : mesh.simplices)
+      for (const Index v : t) used[at(v)] = true;
+    const Index nodes = toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true)));
+    const Index edges = (3 * mesh.simplexCount() + outer) / 2;
+    shape.euler = nodes - edges + mesh.simplexCount();
+  } else {
+    // A 3-manifold with boundary has half the Euler characteristic of its boundary.
+    std::vector<bool> used(mesh.nodes.size(), false);
+    Index nodes = 0;
+    std::vector<std::array<Index, 2>> edges;
+    for (const auto &f : boundary)
+      for (int k = 0; k < 3; ++k) {
+        if (!used[at(f[k])]) ++nodes;
+        used[at(f[k])] = true;
+        edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
+      }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
+  }
+  shape.components = nodeComponents(mesh.simplices, mesh.nodes.size());
+  shape.shells = nodeComponents(boundary, mesh.nodes.size());
+  return shape;
+}
+
+template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
+  Shape shape;
+  std::vector<bool> used(at(in.primal.nodeCount), false);
+  std::vector<std::array<Index, 1 << N>> blocks;
+  for (const Block<N> &b : in.primal.blocks) {
+    blocks.push_back(b.nodes);
+    for (const Index v : b.nodes) used[at(v)] = true;
+  }
+  Index faces = 0;
+  for (std::size_t f = 0; f < complex.faces.size(); ++f)
+    if (f == 0 || complex.faces[f].key != complex.faces[f - 1].key) ++faces;
+  const Index nodes = toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true)));
+  const Index count = toIndex(blocks.size());
+  shape.euler = N == 2 ? nodes - faces + count : nodes - toIndex(complex.edges.size()) + faces - count;
+  std::vector<std::array<Index, 1 << (N - 1)>> boundary;
+  for (const Index f : complex.boundary) boundary.push_back(complex.faces[at(f)].cycle);
+  shape.components = nodeComponents(blocks, at(in.primal.nodeCount));
+  shape.shells = nodeComponents(boundary, at(in.primal.nodeCount));
+  return shape;
+}
+
+} // namespace
+
+template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
+  // A hexahedron's faces and edges (VTK order), a quad's sides.
+  static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  static constexpr int kQuadSides[4][2] = {{3, 0}, {1, 2}, {0, 1}, {2, 3}};
+  static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                        {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  BlockComplex<N> complex;
+  std::vector<std::array<Index, 2>> edges;
+  for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
+    const Block<N> &block = in.primal.blocks[at(b)];
+    for (int f = 0; f < 2 * N; ++f) { // faces 2a and 2a + 1 are across axis a, the second one on the side
+      BlockFace<N> face;
+      for (std::size_t k = 0; k < face.cycle.size(); ++k)
+        face.cycle[k] = block.nodes[at(N == 3 ? kFaces[f][k] : kQuadSides[f][k])];
+      face.key = face.cycle;
+      std::sort(face.key.begin(), face.key.end());
+      face.block = b;
+      face.side = f % 2 == 1 ? block.sides[at(f / 2)] : kNone;
+      complex.faces.push_back(face);
+    }
+    for (const auto &[u, v] : kEdges) {
+      if (N == 2 && std::max(u, v) > 3) continue;
+      edges.push_back(sortedPair(block.nodes[at(u)], block.nodes[at(v)]));
+    }
+  }
+  std::sort(complex.faces.begin(), complex.faces.end(), [](const BlockFace<N> &a, const BlockFace<N> &b) {
+    return a.key != b.key ? a.key < b.key : a.block < b.block;
+  });
+  for (std::size_t f = 0; f < complex.faces.size(); ++f) {
+    const bool before = f > 0 && complex.faces[f - 1].key == complex.faces[f].key;
+    const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;
+    if (!before && !after) complex.boundary.push_back(toIndex(f));
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (e == 0 || edges[e] != edges[e - 1]) {
+      complex.edges.push_back(edges[e]);
+      complex.blocksAtEdge.push_back(0);
+    }
+    ++complex.blocksAtEdge.back();
+  }
+  return complex;
+}
+
+template <int N>
+void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
+  for (const std::string &fault : in.primal.faults) certificate.fail(Check::topology, fault);
+  if (in.primal.blocks.empty()) certificate.fail(Check::topology, "there are no blocks");
+  for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
+    auto nodes = in.primal.blocks[at(b)].nodes;
+    std::sort(nodes.begin(), nodes.end());
+    if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
+      certificate.fail(Check::topology, "a block has the same node twice", {{"block", b}});
+  }
+  std::vector<std::array<Index, 2>> pairs; // blocks that share a face
+  for (std::size_t f = 0; f + 1 < complex.faces.size(); ++f) {
+    if (complex.faces[f].key != complex.faces[f + 1].key) continue;
+    pairs.push_back({complex.faces[f].block, complex.faces[f + 1].block});
+    if (f + 2 < complex.faces.size() && complex.faces[f].key == complex.faces[f + 2].key)
+      certificate.fail(Check::topology, "three blocks share a face",
+                       {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
+  if (twice != pairs.end())
+    certificate.fail(Check::topology, "two blocks share more than one face", {{"block", (*twice)[0]}, {"block", (*twice)[1]}});
+  // The boundary is closed: every ridge of it belongs to an even number of boundary faces, to two of them
+  // where the domain is a manifold, which the reference mesh's parts require.
+  std::vector<std::array<Index, N == 2 ? 1 : 2>> ridges;
+  for (const Index f : complex.boundary) {
+    const auto &cycle = complex.faces[at(f)].cycle;
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+      if constexpr (N == 2) ridges.push_back({cycle[k]});
+      else ridges.push_back(sortedPair(cycle[k], cycle[(k + 1) % 4]));
+    }
+  }
+  std::sort(ridges.begin(), ridges.end());
+  for (std::size_t begin = 0, end = 0; begin < ridges.size(); begin = end) {
+    while (end < ridges.size() && ridges[end] == ridges[begin]) ++end;
+    if (end - begin != 2)
+      certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold", {{"node", ridges[begin][0]}});
+  }
+  const Shape reference = shapeOfReference(in);
+  const Shape blocks = shapeOfBlocks(in, complex);
+  if (!(reference == blocks))
+    certificate.fail(Check::topology, "the blocks have " + describe(blocks) + "; the domain has " + describe(reference));
+}
+
+template BlockComplex<2> buildBlockComplex(const CertificateInput<2> &);
+template BlockComplex<3> buildBlockComplex(const CertificateInput<3> &);
+template void checkTopology(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);
+template void checkTopology(const CertificateInput<3> &, const BlockComplex<3> &, Certificate &);
+
+} // namespace dualblock

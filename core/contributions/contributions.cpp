@@ -1,0 +1,69 @@
+#include "contributions/contributions.h"
+
+#include <bit>
+
+namespace dualblock {
+namespace {
+
+/// Whether the face of s spanned by `mask` lies on the side.
+template <int N>
+bool faceIsOnSide(const ReferenceMesh<N> &mesh, const Parts<N> &parts, Index s, Contribution c) {
+  const int i = std::countr_one(unsigned{c.mask});
+  if (mesh.tags[at(s)][i] == kNone) return false;
+  const FaceRef<N> *const begin = parts.sideFaces.begin(c.side);
+  const FaceRef<N> *const end = parts.sideFaces.end(c.side);
+  // A side lists its faces by simplex, then by face.
+  const FaceRef<N> *const found = std::lower_bound(begin, end, s, [i](const FaceRef<N> &f, Index simplex) {
+    return f.simplex != simplex ? f.simplex < simplex : f.face < i;
+  });
+  return found != end && found->simplex == s && found->face == i;
+}
+
+} // namespace
+
+template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
+  Contributions<N> result;
+  const std::size_t count = mesh.simplices.size();
+  result.ofSimplex.offsets.reserve(count + 1);
+  result.present.assign(count, 0);
+  result.soft.assign(count, 0);
+  std::vector<Contribution> here;
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    here.clear();
+    const Index part = parts.partOfSimplex[at(s)];
+    const Index firstSide = parts.partSides.offsets[at(part)]; // a part's sides are numbered in a row
+    const Index endSide = parts.partSides.offsets[at(part) + 1];
+    for (int v = 0; v < N + 1; ++v) {
+      const Index node = mesh.simplices[at(s)][v];
+      const Index *const end = parts.nodeSides.end(node);
+      const Index *side = parts.nodeSides.begin(node);
+      if (side == end) continue;
+      for (side = std::lower_bound(side, end, firstSide); side != end && *side < endSide; ++side) {
+        auto known = std::find_if(here.begin(), here.end(), [&](const Contribution &c) { return c.side == *side; });
+        if (known == here.end()) known = here.insert(known, {*side, 0});
+        known->mask = static_cast<std::uint8_t>(known->mask | 1U << v);
+      }
+    }
+    std::sort(here.begin(), here.end(), [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
+    for (const Contribution &c : here) {
+      const int size = std::popcount(unsigned{c.mask});
+      if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {
+        result.notFull.push_back({s, c});
+        if (size > N) continue;
+      }
+      const ContributionSet bit = contributionBit(c.mask);
+      result.soft[at(s)] = result.soft[at(s)] | (result.present[at(s)] & bit);
+      result.present[at(s)] = result.present[at(s)] | bit;
+      result.ofSimplex.items.push_back(c);
+    }
+    result.ofSimplex.closeList();
+    result.softCount += std::popcount(unsigned{result.soft[at(s)]});
+    result.hardCount += std::popcount(unsigned{result.present[at(s)]} & ~unsigned{result.soft[at(s)]});
+  }
+  return result;
+}
+
+template Contributions<2> assignContributions(const ReferenceMesh<2> &, const Parts<2> &);
+template Contributions<3> assignContributions(const ReferenceMesh<3> &, const Parts<3> &);
+
+} // namespace dualblock

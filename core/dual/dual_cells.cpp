@@ -1,0 +1,151 @@
+#include "dual/dual_cells.h"
+
+#include "base/disjoint_sets.h"
+
+namespace dualblock {
+namespace {
+
+/// Calls unite(a, b) for the classes a of s and b of its neighbour that touch across face i.
+template <int N, typename Unite>
+void uniteAcross(const ReferenceMesh<N> &mesh, const Contributions<N> &contributions,
+                 const std::vector<Index> &offset, ClassCache<N> &cache, Index s, int i, Unite unite) {
+  const Index t = mesh.neighbors[at(s)][i];
+  const ContributionSet here = contributions.present[at(s)];
+  const ContributionSet there = contributions.present[at(t)];
+  if (here == 0 && there == 0) {
+    unite(offset[at(s)], offset[at(t)]);
+    return;
+  }
+  const int k = mesh.mirrorFace(s, i);
+  const auto &tables = RegionTables<N>::get();
+  const auto &mine = tables.onFace(i, faceOrder<N>(mesh.simplices[at(s)], i));
+  const auto &theirs = tables.onFace(k, faceOrder<N>(mesh.simplices[at(t)], k));
+  const auto &myClass = cache[here].ofRegion;
+  const auto &theirClass = cache[there].ofRegion;
+  int last = -1; // neighbouring regions often lie in the same pair of classes
+  for (std::size_t r = 0; r < mine.size(); ++r) {
+    const int pair = myClass[mine[r]] * 64 + theirClass[theirs[r]];
+    if (pair == last) continue;
+    last = pair;
+    unite(offset[at(s)] + myClass[mine[r]], offset[at(t)] + theirClass[theirs[r]]);
+  }
+}
+
+/// The sides whose D-bar-surfaces this class of simplex s lies inside of. False if there are more than N.
+template <int N>
+bool labelOf(const Contributions<N> &contributions, Index s, ContributionSet inside, std::array<Index, N> &label) {
+  label.fill(kNone);
+  std::size_t n = 0;
+  for (const Contribution *c = contributions.ofSimplex.begin(s); c != contributions.ofSimplex.end(s); ++c) {
+    if (!(inside & contributionBit(c->mask))) continue;
+    if (n == N) return false;
+    label[n++] = c->side; // a simplex lists its sides in ascending order
+  }
+  return true;
+}
+
+template <int N> bool labelLess(const CellPiece<N> &a, const CellPiece<N> &b) {
+  return a.part != b.part ? a.part < b.part : a.sides < b.sides;
+}
+
+} // namespace
+
+template <int N> Index DualCells<N>::findPiece(Index part, const std::array<Index, N> &sides) const {
+  const CellPiece<N> wanted{part, sides, kNone};
+  const auto found = std::lower_bound(pieces.begin(), pieces.end(), wanted, labelLess<N>);
+  if (found == pieces.end() || labelLess(wanted, *found)) return kNone;
+  return toIndex(static_cast<std::size_t>(found - pieces.begin()));
+}
+
+template <int N>
+DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                            const Contributions<N> &contributions) {
+  DualCells<N> dual;
+  ClassCache<N> cache;
+  dual.classOffset.reserve(mesh.simplices.size() + 1);
+  dual.classOffset.push_back(0);
+  for (const ContributionSet present : contributions.present)
+    dual.classOffset.push_back(dual.classOffset.back() +
+                               (present == 0 ? 1 : toIndex(cache[present].inside.size())));
+  const std::vector<Index> &offset = dual.classOffset;
+
+  // Inside the parts first: pieces.
+  DisjointSets sets(at(offset.back()));
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i)
+      if (mesh.neighbors[at(s)][i] > s && mesh.tags[at(s)][i] == kNone)
+        uniteAcross(mesh, contributions, offset, cache, s, i, [&](Index a, Index b) { sets.unite(a, b); });
+  Index pieceCount = 0;
+  dual.pieceOf = sets.numbering(pieceCount);
+
+  // Their labels, and their order by label.
+  std::vector<CellPiece<N>> unordered(at(pieceCount), {kNone, {}, kNone});
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
+      CellPiece<N> &piece = unordered[at(dual.pieceOf[at(c)])];
+      if (piece.part != kNone) continue;
+      piece.part = parts.partOfSimplex[at(s)];
+      const ContributionSet inside = cache[contributions.present[at(s)]].inside[at(c - offset[at(s)])];
+      if (!labelOf<N>(contributions, s, inside, piece.sides)) dual.overfull = true;
+    }
+  std::vector<Index> order(unordered.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
+  std::vector<Index> rank(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    rank[at(order[k])] = toIndex(k);
+    dual.pieces.push_back(unordered[at(order[k])]);
+    if (k > 0 && !labelLess(dual.pieces[k - 1], dual.pieces[k])) dual.surplus.push_back(toIndex(k));
+  }
+  for (Index &piece : dual.pieceOf) piece = rank[at(piece)];
+
+  // Across the split surfaces: cells.
+  DisjointSets cells(dual.pieces.size());
+  for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
+    for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
+      if (mesh.neighbors[at(f->simplex)][f->face] <= f->simplex) continue;
+      uniteAcross(mesh, contributions, offset, cache, f->simplex, f->face,
+                  [&](Index a, Index b) { cells.unite(dual.pieceOf[at(a)], dual.pieceOf[at(b)]); });
+    }
+  }
+  const std::vector<Index> number = cells.numbering(dual.cellCount);
+  for (std::size_t p = 0; p < dual.pieces.size(); ++p) dual.pieces[p].cell = number[p];
+  return dual;
+}
+
+template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts) {
+  // Each curve, seen from each of its two sides that lies on a split surface: (side, first ridge) -> other.
+  struct Contact {
+    Index side;                       // the lower one of the split surface's two sides
+    std::array<Index, N - 1> ridge;
+    Index continues;                  // the side that arrives at the split surface there
+    bool operator<(const Contact &o) const { return side != o.side ? side < o.side : ridge < o.ridge; }
+  };
+  std::vector<Contact> contacts;
+  for (const Curve<N> &curve : parts.curves)
+    for (int k = 0; k < 2; ++k) {
+      const Index side = curve.sides[at(k)];
+      const Index opposite = parts.sides[at(side)].opposite;
+      if (opposite == kNone) continue;
+      const auto first = *std::min_element(curve.ridges.begin(), curve.ridges.end());
+      contacts.push_back({std::min(side, opposite), first, curve.sides[at(1 - k)]});
+    }
+  std::stable_sort(contacts.begin(), contacts.end());
+  DisjointSets sets(parts.sides.size());
+  for (std::size_t c = 0; c + 1 < contacts.size(); ++c)
+    if (contacts[c].side == contacts[c + 1].side && contacts[c].ridge == contacts[c + 1].ridge)
+      sets.unite(contacts[c].continues, contacts[c + 1].continues);
+  DualSurfaces surfaces;
+  surfaces.ofSide = sets.numbering(surfaces.count);
+  return surfaces;
+}
+
+template struct DualCells<2>;
+template struct DualCells<3>;
+template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &);
+template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &);
+template DualSurfaces buildDualSurfaces<2>(const Parts<2> &);
+template DualSurfaces buildDualSurfaces<3>(const Parts<3> &);
+
+} // namespace dualblock

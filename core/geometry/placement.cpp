@@ -1,0 +1,121 @@
+#include "geometry/placement.h"
+
+#include <map>
+
+#include "geometry/centre.h"
+#include "geometry/jacobian.h"
+
+namespace dualblock {
+namespace {
+
+template <int N> class Placer {
+public:
+  Placer(const ReferenceMesh<N> &mesh, const Parts<N> &parts) : mesh_(mesh), parts_(parts) {}
+
+  Vec<N> place(const CellPiece<N> &piece) const {
+    const int count = piece.sideCount();
+    if (count == 0) return mean(piece, [](const Corner &) { return true; });
+    if (count == N) return mean(piece, [&](const Corner &c) { return holdsAll(c, piece); });
+    if (count == N - 1) return curveMidpoint(piece);
+    return mean(piece, [&](const Corner &c) { return holdsAll(c, piece); });
+  }
+
+private:
+  static bool holdsAll(const Corner &corner, const CellPiece<N> &piece) {
+    for (int k = 0; k < piece.sideCount(); ++k)
+      if (!std::binary_search(corner.sides.begin(), corner.sides.end(), piece.sides[at(k)])) return false;
+    return true;
+  }
+
+  /// The mean of the part's corners that `wanted` accepts.
+  template <typename Wanted> Vec<N> mean(const CellPiece<N> &piece, Wanted wanted) const {
+    const auto begin = std::lower_bound(parts_.corners.begin(), parts_.corners.end(), piece.part,
+                                        [](const Corner &c, Index part) { return c.part < part; });
+    Vec<N> sum{0.0};
+    double count = 0;
+    for (auto c = begin; c != parts_.corners.end() && c->part == piece.part; ++c) {
+      if (!wanted(*c)) continue;
+      sum += mesh_.nodes[at(c->node)];
+      count += 1;
+    }
+    return count > 0 ? sum / count : sum;
+  }
+
+  Vec<N> curveMidpoint(const CellPiece<N> &piece) const {
+    std::vector<std::array<Index, 2>> segments;
+    if constexpr (N == 2) {
+      for (const FaceRef<2> *f = parts_.sideFaces.begin(piece.sides[0]); f != parts_.sideFaces.end(piece.sides[0]); ++f)
+        segments.push_back(mesh_.sortedFace(f->simplex, f->face));
+    } else {
+      const std::array<Index, 2> sides{piece.sides[0], piece.sides[1]};
+      const auto curve = std::lower_bound(parts_.curves.begin(), parts_.curves.end(), sides,
+                                          [&](const Curve<3> &c, const std::array<Index, 2> &s) {
+                                            return c.part != piece.part ? c.part < piece.part : c.sides < s;
+                                          });
+      if (curve == parts_.curves.end() || curve->part != piece.part || curve->sides != sides)
+        return mean(piece, [&](const Corner &c) { return holdsAll(c, piece); });
+      segments = curve->ridges;
+    }
+    return chainMidpoint<N>(mesh_.nodes, segments);
+  }
+
+  const ReferenceMesh<N> &mesh_;
+  const Parts<N> &parts_;
+};
+
+} // namespace
+
+template <int N>
+Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::array<Index, 2>> &segments) {
+  std::map<Index, std::vector<Index>> next;
+  double total = 0;
+  for (const auto &[a, b] : segments) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+    total += glm::length(nodes[at(b)] - nodes[at(a)]);
+  }
+  Index here = next.begin()->first;
+  for (const auto &[node, list] : next)
+    if (list.size() == 1) {
+      here = node;
+      break;
+    }
+  double rest = total / 2;
+  Index previous = kNone;
+  for (std::size_t step = 0; step < segments.size(); ++step) {
+    const std::vector<Index> &list = next[here];
+    const Index ahead = list[0] != previous ? list[0] : list.back();
+    const double length = glm::length(nodes[at(ahead)] - nodes[at(here)]);
+    if (rest <= length || step + 1 == segments.size())
+      return nodes[at(here)] + (length > 0 ? rest / length : 0) * (nodes[at(ahead)] - nodes[at(here)]);
+    rest -= length;
+    previous = here;
+    here = ahead;
+  }
+  return nodes[at(here)];
+}
+
+template <int N>
+void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual, Primal<N> &primal) {
+  const Placer<N> placer(mesh, parts);
+  primal.positions.clear();
+  for (const Index piece : primal.nodePiece) primal.positions.push_back(placer.place(dual.pieces[at(piece)]));
+  for (Block<N> &block : primal.blocks) {
+    if (signedMeasure<N>(cornersOf<N>(block.nodes, primal.positions)) >= 0) continue;
+    std::swap(block.sides[0], block.sides[1]); // mirrored: exchange two axes
+    if constexpr (N == 2) {
+      std::swap(block.nodes[1], block.nodes[3]);
+    } else {
+      std::swap(block.nodes[1], block.nodes[3]);
+      std::swap(block.nodes[5], block.nodes[7]);
+    }
+  }
+  validateCentres(primal);
+}
+
+template Vec<2> chainMidpoint<2>(const std::vector<Vec<2>> &, const std::vector<std::array<Index, 2>> &);
+template Vec<3> chainMidpoint<3>(const std::vector<Vec<3>> &, const std::vector<std::array<Index, 2>> &);
+template void placeNodes(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &, Primal<2> &);
+template void placeNodes(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &, Primal<3> &);
+
+} // namespace dualblock

@@ -1,0 +1,299 @@
+#include "parts/decompose.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <tuple>
+
+#include "reference/plane_cut.h"
+
+namespace dualblock {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kFlatTolerance = 1e-7; // radians over 180 degrees that still count as flat
+constexpr int kReflexRounds = 4;
+constexpr int kVertexRounds = 40;
+
+template <int N> struct Ridge {
+  Index simplex;
+  int from, to;
+};
+
+/// The ridge at `node`, towards `goal`, that leads from a face with tag f to one with tag g, turning through
+/// surfaces numbered from crossFrom on. It is looked up by identity, since earlier cuts may have divided it.
+template <int N>
+std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Index goal, Index f, Index g,
+                                  Index crossFrom) {
+  std::vector<Index> star;
+  collectStar(mesh, node, star);
+  std::optional<Ridge<N>> best;
+  double bestCosine = 0.5;
+  for (const Index s : star) {
+    const int local = mesh.localVertex(s, node);
+    for (int i = 0; i < N + 1; ++i) {
+      if (i == local || mesh.tags[at(s)][i] != f) continue;
+      for (int k = 0; k < N + 1; ++k) {
+        if (k == i || k == local) continue;
+        const FaceRef<N> end = turnAroundRidge(mesh, s, i, k, crossFrom, [](Index) {});
+        if (mesh.tags[at(end.simplex)][end.face] != g) continue;
+        double cosine = 1;
+        if constexpr (N == 3) {
+          const Index other = mesh.simplices[at(s)][6 - i - k - local];
+          cosine = glm::dot(glm::normalize(mesh.nodes[at(other)] - mesh.nodes[at(node)]),
+                            glm::normalize(mesh.nodes[at(goal)] - mesh.nodes[at(node)]));
+        }
+        if (cosine <= bestCosine) continue;
+        bestCosine = cosine;
+        best = Ridge<N>{s, i, k};
+      }
+    }
+  }
+  return best;
+}
+
+/// Whether the plane already is a split surface at this ridge.
+template <int N>
+bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane, double tolerance) {
+  bool found = false;
+  const auto inspect = [&](Index s) {
+    for (int i = 0; i < N + 1; ++i) {
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag == kNone || mesh.neighbors[at(s)][i] == kNone) continue;
+      bool inPlane = true; // a face in the plane that holds the ridge
+      for (int v = 0; v < N + 1; ++v)
+        if (v != i) inPlane &= std::abs(plane.distance(mesh.nodes[at(mesh.simplices[at(s)][v])])) <= tolerance;
+      for (int v = 0; v < N + 1; ++v) {
+        if (v == ridge.from || v == ridge.to) continue;
+        const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
+        inPlane &= here >= 0 && here != i;
+      }
+      found |= inPlane;
+    }
+  };
+  turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, kCrossAll, inspect);
+  return found;
+}
+
+/// A direction in the first side's plane that points from the curve into the side.
+template <int N>
+Vec<N> intoSide(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Vec<N> &outward) {
+  const auto &s = mesh.simplices[at(ridge.simplex)];
+  Vec<N> into;
+  Vec<N> origin;
+  if constexpr (N == 2) {
+    origin = mesh.nodes[at(s[3 - ridge.from - ridge.to])];
+    into = {-outward.y, outward.x};
+  } else {
+    std::array<Index, 2> ends;
+    for (int v = 0, m = 0; v < 4; ++v)
+      if (v != ridge.from && v != ridge.to) ends[m++] = s[v];
+    origin = mesh.nodes[at(ends[0])];
+    into = glm::normalize(glm::cross(outward, mesh.nodes[at(ends[1])] - origin));
+  }
+  // `to` is the vertex that the first side's face has besides the ridge.
+  return glm::dot(into, mesh.nodes[at(s[ridge.to])] - origin) < 0 ? -into : into;
+}
+
+template <int N>
+void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options, Index &cuts) {
+  for (const Curve<N> &curve : parts.curves) {
+    if (curve.angle <= pi + kFlatTolerance) continue;
+    const Index f = parts.sides[at(curve.sides[0])].tag;
+    const Index g = parts.sides[at(curve.sides[1])].tag;
+    const Index node = curve.ridges.front().front();
+    const Index goal = curve.ridges.front().back();
+    for (const double direction : sectorPlanes(curve.angle)) {
+      const auto ridge = findRidge(mesh, node, goal, f, g, options.facetSurfaces);
+      if (!ridge) continue;
+      const Vec<N> outward = mesh.outwardNormal(ridge->simplex, ridge->from);
+      const Vec<N> into = intoSide(mesh, *ridge, outward);
+      const Vec<N> normal = std::sin(direction) * into + std::cos(direction) * outward;
+      Plane<N> plane = planeThrough(mesh.nodes[at(node)], normal);
+      // Extending a facet: take its own plane, so that neighbouring curves share it to the last bit.
+      if (std::abs(direction - pi) < kFlatTolerance) plane = mesh.surfaces[at(FaceTag::surface(f))].plane;
+      if (std::abs(direction - (curve.angle - pi)) < kFlatTolerance)
+        plane = mesh.surfaces[at(FaceTag::surface(g))].plane;
+      if (isCutAlready(mesh, *ridge, plane, options.tolerance)) continue;
+      const Index surface = toIndex(mesh.surfaces.size());
+      mesh.surfaces.push_back({SurfaceKind::reflexCut, FaceTag::surface(f), plane});
+      const CutResult result =
+          cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance);
+      if (result.faces > 0) ++cuts;
+      else mesh.surfaces.pop_back();
+    }
+  }
+}
+
+/// A curve that ends at the corner under repair, seen from it.
+struct Spoke {
+  std::array<Index, 2> sides;
+  Index next; // node on the curve next to the corner
+  Index end;  // the corner at the curve's other end
+};
+
+std::vector<Spoke> spokesOf(const Parts<3> &parts, const Corner &corner, Index curveBegin, Index curveEnd,
+                            const std::vector<Index> &partCornerNodes) {
+  std::vector<Spoke> spokes;
+  for (Index c = curveBegin; c < curveEnd; ++c) {
+    const Curve<3> &curve = parts.curves[at(c)];
+    Spoke spoke{curve.sides, kNone, kNone};
+    for (const auto &[a, b] : curve.ridges) {
+      if (a == corner.node) spoke.next = b;
+      if (b == corner.node) spoke.next = a;
+    }
+    if (spoke.next == kNone) continue;
+    for (const auto &ridge : curve.ridges)
+      for (const Index v : ridge)
+        if (v != corner.node && std::binary_search(partCornerNodes.begin(), partCornerNodes.end(), v)) spoke.end = v;
+    if (spoke.end != kNone) spokes.push_back(spoke);
+  }
+  return spokes;
+}
+
+Index splitSurfacesAt(const ReferenceMesh<3> &mesh, Index node, Index facetSurfaces) {
+  std::vector<Index> star;
+  std::vector<Index> found;
+  collectStar(mesh, node, star);
+  for (const Index s : star)
+    for (int i = 0; i < 4; ++i) {
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag == kNone || FaceTag::surface(tag) < facetSurfaces || mesh.simplices[at(s)][i] == node) continue;
+      found.push_back(FaceTag::surface(tag));
+    }
+  std::sort(found.begin(), found.end());
+  return toIndex(static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin()));
+}
+
+/// Cuts a part through a corner where more than three sides meet, along two of its curves that share no
+/// side. Among the planes that offer themselves it takes the one that holds most corners of the part; then
+/// the one whose far ends lie on most split surfaces already (cuts then share corners, and the choice does
+/// not hang on the numbering); then the one that divides the corner's sides most evenly.
+bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner, const std::vector<Spoke> &spokes,
+               const std::vector<Index> &partCornerNodes, const DecomposeOptions &options) {
+  using Score = std::tuple<Index, Index, Index>;
+  std::optional<std::pair<Score, std::pair<std::size_t, Plane<3>>>> best;
+  const Vec<3> apex = mesh.nodes[at(corner.node)];
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+    for (std::size_t k = i + 1; k < spokes.size(); ++k) {
+      const auto shares = [&](Index side) { return side == spokes[k].sides[0] || side == spokes[k].sides[1]; };
+      if (shares(spokes[i].sides[0]) || shares(spokes[i].sides[1])) continue;
+      const Vec<3> d1 = glm::normalize(mesh.nodes[at(spokes[i].end)] - apex);
+      const Vec<3> d2 = glm::normalize(mesh.nodes[at(spokes[k].end)] - apex);
+      const Vec<3> normal = glm::cross(d1, d2);
+      if (glm::length(normal) < 1e-6) continue;
+      const Plane<3> plane = planeThrough(apex, normal);
+      Index held = 0;
+      for (const Index v : partCornerNodes)
+        if (std::abs(plane.distance(mesh.nodes[at(v)])) <= options.tolerance) ++held;
+      Index behind = 0;
+      Index front = 0;
+      for (const Spoke &spoke : spokes) {
+        const double d = plane.distance(mesh.nodes[at(spoke.end)]);
+        behind += d < -options.tolerance ? 1 : 0;
+        front += d > options.tolerance ? 1 : 0;
+      }
+      if (behind == 0 || front == 0) continue;
+      const Score score{held,
+                        splitSurfacesAt(mesh, spokes[i].end, options.facetSurfaces) +
+                            splitSurfacesAt(mesh, spokes[k].end, options.facetSurfaces),
+                        std::min(behind, front)};
+      if (!best || score > best->first) best = {score, {i, plane}};
+    }
+  if (!best) return false;
+  const auto &[spokeIndex, plane] = best->second;
+  const Spoke &spoke = spokes[spokeIndex];
+  const auto ridge = findRidge(mesh, corner.node, spoke.next, parts.sides[at(spoke.sides[0])].tag,
+                               parts.sides[at(spoke.sides[1])].tag, kCrossNone);
+  if (!ridge) return false;
+  const Index surface = toIndex(mesh.surfaces.size());
+  mesh.surfaces.push_back({SurfaceKind::vertexCut, corner.node, plane});
+  if (cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance).faces > 0) return true;
+  mesh.surfaces.pop_back();
+  return false;
+}
+
+/// One round of rule 2: at most one cut in each part that has a corner of too many sides. Returns the cuts.
+Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeOptions &options) {
+  Index cuts = 0;
+  const Index oldSimplices = mesh.simplexCount();
+  std::vector<Index> cornerNodes;
+  std::size_t curveBegin = 0;
+  std::size_t cornerBegin = 0;
+  for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
+    std::size_t curveEnd = curveBegin;
+    while (curveEnd < parts.curves.size() && parts.curves[curveEnd].part == part) ++curveEnd;
+    std::size_t cornerEnd = cornerBegin;
+    cornerNodes.clear();
+    const Corner *worst = nullptr;
+    for (; cornerEnd < parts.corners.size() && parts.corners[cornerEnd].part == part; ++cornerEnd) {
+      const Corner &corner = parts.corners[cornerEnd];
+      cornerNodes.push_back(corner.node);
+      if (corner.sides.size() > 3 && (!worst || corner.sides.size() > worst->sides.size())) worst = &corner;
+    }
+    // A cut of an earlier part of this round may have run through this one: leave it to the next round.
+    const bool untouched = worst && [&] {
+      std::vector<Index> star;
+      collectStar(mesh, worst->node, star);
+      return std::all_of(star.begin(), star.end(), [&](Index s) { return s < oldSimplices; });
+    }();
+    if (worst && untouched) {
+      const std::vector<Spoke> spokes = spokesOf(parts, *worst, toIndex(curveBegin), toIndex(curveEnd), cornerNodes);
+      if (cutCorner(mesh, parts, *worst, spokes, cornerNodes, options)) ++cuts;
+    }
+    curveBegin = curveEnd;
+    cornerBegin = cornerEnd;
+  }
+  return cuts;
+}
+
+template <int N> double blocksExpected(const Parts<N> &parts) {
+  double blocks = 0;
+  for (const Corner &corner : parts.corners) blocks += static_cast<double>(corner.sides.size()) - (N - 1);
+  return blocks;
+}
+
+} // namespace
+
+std::vector<double> sectorPlanes(double angle) {
+  constexpr double kDegree = pi / 180;
+  if (angle <= 225 * kDegree) return {angle / 2};
+  // The planes of both facets: sectors of (angle - 180), (360 - angle) and (angle - 180) degrees.
+  if (angle <= 315 * kDegree) return {pi, angle - pi};
+  // Four sectors by two whole planes: the bisector, and one across it that runs on beyond the curve.
+  return {angle / 2, (angle - pi) / 2};
+}
+
+template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const DecomposeOptions &options) {
+  const PartOptions partOptions{options.smoothAngle, nullptr};
+  Decomposition<N> result;
+  result.parts = buildParts(mesh, partOptions);
+  for (int round = 0; round < kReflexRounds; ++round) {
+    const Index before = result.cuts;
+    cutReflexCurves(mesh, result.parts, options, result.cuts);
+    if (result.cuts == before) break;
+    result.parts = buildParts(mesh, partOptions);
+  }
+  if constexpr (N == 3) {
+    for (int round = 0; round < kVertexRounds; ++round) {
+      const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
+                                      [](const Corner &c) { return c.sides.size() > 3; });
+      if (!needed) break;
+      result.gaveUp = blocksExpected(result.parts) > options.blockLimit();
+      if (result.gaveUp) break;
+      const Index cuts = cutCorners(mesh, result.parts, options);
+      if (cuts == 0) break;
+      result.cuts += cuts;
+      result.vertexCuts += cuts;
+      result.parts = buildParts(mesh, partOptions);
+    }
+  }
+  return result;
+}
+
+template Decomposition<2> decompose(ReferenceMesh<2> &, const DecomposeOptions &);
+template Decomposition<3> decompose(ReferenceMesh<3> &, const DecomposeOptions &);
+
+} // namespace dualblock

@@ -1,0 +1,37 @@
+// Which faces to split along (algorithm.md 3, rules 1 and 2): plane cuts through reflex curves, then through
+// vertices of parts where more than N sides meet.
+#pragma once
+
+#include <functional>
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+struct DecomposeOptions {
+  double tolerance;        // nodes nearer to a cutting plane than this count as on it
+  double smoothAngle = 0;  // see PartOptions
+  Index facetSurfaces;     // surfaces below this number are the domain's own facets
+  std::function<double()> blockLimit; // give up when the parts would give more blocks than this; asked
+                                      // for only where vertices have to be cut
+};
+
+template <int N> struct Decomposition {
+  Parts<N> parts;
+  Index cuts = 0;       // split surfaces added
+  Index vertexCuts = 0; // those of rule 2
+  bool gaveUp = false; // the block limit or the round limit was reached
+};
+
+/// Cuts `mesh` into parts. Reflex curves get the number of sectors that their type asks for (paper 2.4);
+/// afterwards vertices are cut until every part is simple, or no cut is left that helps.
+template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const DecomposeOptions &options);
+
+/// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
+/// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; algorithm.md 3, rule 1).
+std::vector<double> sectorPlanes(double angle);
+
+extern template Decomposition<2> decompose(ReferenceMesh<2> &, const DecomposeOptions &);
+extern template Decomposition<3> decompose(ReferenceMesh<3> &, const DecomposeOptions &);
+
+} // namespace dualblock

@@ -1,0 +1,354 @@
+#include "parts/parts.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/disjoint_sets.h"
+
+namespace dualblock {
+namespace {
+
+template <int N> struct BoundaryFaces {
+  std::vector<FaceRef<N>> faces;
+  std::vector<std::array<Index, N + 1>> indexOf; // per simplex and face, or kNone
+  std::vector<std::array<Index, N + 1>> mates;   // per boundary face: across the ridge without vertex k
+};
+
+template <int N> std::vector<Index> floodParts(const ReferenceMesh<N> &mesh, Index &count) {
+  std::vector<Index> part(mesh.simplices.size(), kNone);
+  std::vector<Index> stack;
+  count = 0;
+  for (Index seed = 0; seed < mesh.simplexCount(); ++seed) {
+    if (part[at(seed)] != kNone) continue;
+    part[at(seed)] = count;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const Index s = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < N + 1; ++i) {
+        const Index t = mesh.neighbors[at(s)][i];
+        if (t == kNone || mesh.tags[at(s)][i] != kNone || part[at(t)] != kNone) continue;
+        part[at(t)] = count;
+        stack.push_back(t);
+      }
+    }
+    ++count;
+  }
+  return part;
+}
+
+template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh) {
+  BoundaryFaces<N> boundary;
+  std::array<Index, N + 1> none;
+  none.fill(kNone);
+  boundary.indexOf.assign(mesh.simplices.size(), none);
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i)
+      if (mesh.tags[at(s)][i] != kNone) {
+        boundary.indexOf[at(s)][i] = toIndex(boundary.faces.size());
+        boundary.faces.push_back({s, i});
+      }
+  boundary.mates.assign(boundary.faces.size(), none);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (int k = 0; k < N + 1; ++k) {
+      const auto [s, i] = boundary.faces[f];
+      if (k == i) continue;
+      const FaceRef<N> mate = turnAroundRidge(mesh, s, i, k, kCrossNone, [](Index) {});
+      boundary.mates[f][k] = boundary.indexOf[at(mate.simplex)][mate.face];
+    }
+  return boundary;
+}
+
+template <int N> std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k) {
+  std::array<Index, N - 1> ridge{};
+  for (int v = 0, m = 0; v < N + 1; ++v)
+    if (v != f.face && v != k) ridge[m++] = mesh.simplices[at(f.simplex)][v];
+  std::sort(ridge.begin(), ridge.end());
+  return ridge;
+}
+
+/// The angle inside the part between the face of simplex s opposite to vertex i and its mate across the
+/// ridge without vertex k, from the planes of their surfaces; only the sense of turning comes from s.
+template <int N>
+double insideAngle(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k, const FaceRef<N> &mate) {
+  const Vec<N> n1 = mesh.outwardNormal(f.simplex, f.face);
+  const Vec<N> n2 = mesh.outwardNormal(mate.simplex, mate.face);
+  const auto &s = mesh.simplices[at(f.simplex)];
+  Vec<N> away; // in the plane of f, perpendicular to the ridge, pointing out of f across the ridge
+  if constexpr (N == 2) {
+    away = {-n1.y, n1.x};
+  } else {
+    const std::array<Index, 2> ridge = ridgeNodes(mesh, f, k);
+    away = glm::cross(n1, glm::normalize(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]));
+  }
+  const std::array<Index, N - 1> ridge = ridgeNodes(mesh, f, k);
+  if (glm::dot(away, mesh.nodes[at(s[k])] - mesh.nodes[at(ridge[0])]) > 0) away = -away;
+  // Convex: the mate's outward normal leans to `away`; reflex: it leans back over f.
+  return std::numbers::pi - std::atan2(glm::dot(n2, away), glm::dot(n1, n2));
+}
+
+template <int N> double ridgeLength(const ReferenceMesh<N> &mesh, const std::array<Index, N - 1> &ridge) {
+  if constexpr (N == 2) return 1;
+  else return glm::length(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]);
+}
+
+template <int N> struct RidgeRecord {
+  Index part;
+  std::array<Index, 2> sides;
+  std::array<Index, N - 1> nodes;
+  double angle;
+  double length;
+};
+
+/// Groups the ridges between different sides into curves and decides which are open chains.
+template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &records) {
+  const auto byCurve = [](const RidgeRecord<N> &a, const RidgeRecord<N> &b) {
+    if (a.part != b.part) return a.part < b.part;
+    if (a.sides != b.sides) return a.sides < b.sides;
+    return a.nodes < b.nodes;
+  };
+  std::sort(records.begin(), records.end(), byCurve);
+  std::vector<Curve<N>> curves;
+  std::vector<Index> ends;
+  for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
+    const RidgeRecord<N> &first = records[begin];
+    Curve<N> curve{first.part, first.sides, {}, first.angle, true};
+    double longest = 0;
+    ends.clear();
+    for (end = begin; end < records.size() && records[end].part == first.part && records[end].sides == first.sides;
+         ++end) {
+      const RidgeRecord<N> &r = records[end];
+      curve.ridges.push_back(r.nodes);
+      ends.insert(ends.end(), r.nodes.begin(), r.nodes.end());
+      if (r.length > longest) { // short ridges have the worst rounding
+        longest = r.length;
+        curve.angle = r.angle;
+      }
+    }
+    if constexpr (N == 3) {
+      // One open chain: two nodes used once, all others twice, and nodes = ridges + 1.
+      std::sort(ends.begin(), ends.end());
+      std::size_t single = 0;
+      std::size_t distinct = 0;
+      bool branched = false;
+      for (std::size_t b = 0, e = 0; b < ends.size(); b = e) {
+        while (e < ends.size() && ends[e] == ends[b]) ++e;
+        ++distinct;
+        if (e - b == 1) ++single;
+        if (e - b > 2) branched = true;
+      }
+      curve.open = single == 2 && !branched && distinct == curve.ridges.size() + 1;
+    } else {
+      curve.open = curve.ridges.size() == 1;
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+template <int N> std::vector<Corner> buildCorners(const Parts<N> &parts, Index nodeCount) {
+  std::vector<Corner> corners;
+  for (Index node = 0; node < nodeCount; ++node) {
+    const Index *list = parts.nodeSides.begin(node);
+    const Index *const last = parts.nodeSides.end(node);
+    while (list != last) { // sides are numbered part by part, so one part's sides stand together
+      const Index part = parts.sides[at(*list)].part;
+      const Index *next = list;
+      while (next != last && parts.sides[at(*next)].part == part) ++next;
+      if (next - list >= N) corners.push_back({part, node, std::vector<Index>(list, next)});
+      list = next;
+    }
+  }
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const Corner &a, const Corner &b) { return a.part < b.part; });
+  return corners;
+}
+
+/// Euler characteristic of each side as a complex of its faces, ridges and nodes.
+template <int N>
+std::vector<Index> sideEuler(const Parts<N> &parts, const BoundaryFaces<N> &boundary,
+                             const std::vector<Index> &sideOf) {
+  std::vector<Index> chi(parts.sides.size(), 0);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    Index inner = 0;
+    for (int k = 0; k < N + 1; ++k)
+      if (k != boundary.faces[f].face && sideOf[at(boundary.mates[f][k])] == sideOf[f]) ++inner;
+    // A face counts 1; its ridges: inner ones are halved between two faces, so count in units of 1/2.
+    const Index ridges = 2 * N - inner;
+    chi[at(sideOf[f])] += N == 3 ? 2 - ridges : 2;
+  }
+  for (Index &c : chi) c /= 2;
+  // In 2D the ridges are the nodes: faces - nodes is -1 for a path. In 3D: nodes - ridges + faces.
+  for (Index node = 0; node < parts.nodeSides.count(); ++node)
+    for (const Index *s = parts.nodeSides.begin(node); s != parts.nodeSides.end(node); ++s)
+      chi[at(*s)] += N == 3 ? 1 : -1;
+  if constexpr (N == 2)
+    for (Index &c : chi) c = -c;
+  return chi;
+}
+
+/// Condition (c): a ball whose sides are discs, two sides share at most one curve, N sides meet at a corner.
+template <int N>
+void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::vector<Index> &sideOf) {
+  const auto blame = [&](Index part, const char *why) {
+    PartInfo &info = parts.parts[at(part)];
+    if (info.simple) info.why = why;
+    info.simple = false;
+  };
+  DisjointSets shells(boundary.faces.size());
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (int k = 0; k < N + 1; ++k)
+      if (k != boundary.faces[f].face) shells.unite(toIndex(f), boundary.mates[f][k]);
+  std::vector<Index> shellOfPart(parts.parts.size(), kNone);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    const Index part = parts.sides[at(sideOf[f])].part;
+    const Index shell = shells.find(toIndex(f));
+    if (shellOfPart[at(part)] == kNone) shellOfPart[at(part)] = shell;
+    if (shellOfPart[at(part)] != shell) blame(part, "its boundary is in several pieces");
+  }
+  const std::vector<Index> chi = sideEuler(parts, boundary, sideOf);
+  for (std::size_t s = 0; s < chi.size(); ++s)
+    if (chi[s] != 1) blame(parts.sides[s].part, N == 3 ? "a side is not a disc" : "a side is not a path");
+  std::vector<Index> euler(parts.parts.size(), 0); // corners - curves + sides
+  for (const Side &side : parts.sides) euler[at(side.part)] += N == 3 ? 1 : -1;
+  for (const Curve<N> &curve : parts.curves) {
+    if (!curve.open) blame(curve.part, "two sides meet in more than one curve, or in a closed one");
+    if constexpr (N == 3) --euler[at(curve.part)];
+  }
+  for (const Corner &corner : parts.corners) {
+    ++euler[at(corner.part)];
+    if (corner.sides.size() != N) blame(corner.part, "more sides meet at a corner than there are dimensions");
+  }
+  for (std::size_t p = 0; p < euler.size(); ++p)
+    if (euler[p] != (N == 3 ? 2 : 0)) blame(toIndex(p), "it is not a ball");
+  for (std::size_t p = 0; p < euler.size(); ++p)
+    if (parts.partSides.size(toIndex(p)) < N + 1) blame(toIndex(p), "it has too few sides");
+  for (const Side &side : parts.sides)
+    if (side.opposite != kNone && parts.sides[at(side.opposite)].opposite == kNone)
+      blame(side.part, "a split surface is not one whole side of both its parts");
+}
+
+/// Links each side on a split surface to the side behind it; kNone where there is more than one.
+template <int N>
+void linkOpposites(const ReferenceMesh<N> &mesh, Parts<N> &parts, const BoundaryFaces<N> &boundary,
+                   const std::vector<Index> &sideOf) {
+  constexpr Index kUnset = -2;
+  for (Side &side : parts.sides) side.opposite = kUnset;
+  std::vector<bool> torn(parts.sides.size(), false);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    const auto [s, i] = boundary.faces[f];
+    const Index t = mesh.neighbors[at(s)][i];
+    const Index other = t == kNone ? kNone : sideOf[at(boundary.indexOf[at(t)][mesh.mirrorFace(s, i)])];
+    Index &opposite = parts.sides[at(sideOf[f])].opposite;
+    if (opposite == kUnset) opposite = other;
+    if (opposite != other) torn[at(sideOf[f])] = true;
+  }
+  for (std::size_t s = 0; s < torn.size(); ++s) {
+    if (!torn[s]) continue;
+    PartInfo &info = parts.parts[at(parts.sides[s].part)];
+    info.simple = false;
+    info.why = "a split surface is not one whole side of both its parts";
+    parts.sides[s].opposite = kNone;
+  }
+}
+
+} // namespace
+
+template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options) {
+  Parts<N> parts;
+  Index partCount = 0;
+  parts.partOfSimplex = floodParts(mesh, partCount);
+  parts.parts.assign(at(partCount), {true, "", 0});
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    parts.parts[at(parts.partOfSimplex[at(s)])].region = mesh.region[at(s)];
+
+  // Sides: boundary faces of one part joined over ridges where the surface goes on.
+  const BoundaryFaces<N> boundary = findBoundaryFaces(mesh);
+  DisjointSets joined(boundary.faces.size());
+  const double flatCosine = std::cos(options.smoothAngle);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    const auto [s, i] = boundary.faces[f];
+    if (options.everyFace && (*options.everyFace)[at(s)]) continue;
+    for (int k = 0; k < N + 1; ++k) {
+      if (k == i) continue;
+      const FaceRef<N> mate = boundary.faces[at(boundary.mates[f][k])];
+      const Index tag = mesh.tags[at(s)][i];
+      const Index mateTag = mesh.tags[at(mate.simplex)][mate.face];
+      const bool smooth =
+          options.smoothAngle > 0 && mesh.neighbors[at(s)][i] == kNone &&
+          mesh.neighbors[at(mate.simplex)][mate.face] == kNone &&
+          glm::dot(mesh.outwardNormal(s, i), mesh.outwardNormal(mate.simplex, mate.face)) > flatCosine;
+      if (tag == mateTag || smooth) joined.unite(toIndex(f), boundary.mates[f][k]);
+    }
+  }
+
+  // Number them part by part.
+  std::vector<Index> roots;
+  for (Index f = 0; f < toIndex(boundary.faces.size()); ++f)
+    if (joined.find(f) == f) roots.push_back(f);
+  const auto partOfFace = [&](Index f) { return parts.partOfSimplex[at(boundary.faces[at(f)].simplex)]; };
+  std::stable_sort(roots.begin(), roots.end(), [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
+  std::vector<Index> sideOf(boundary.faces.size());
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const auto [s, i] = boundary.faces[at(roots[k])];
+    parts.sides.push_back({partOfFace(roots[k]), mesh.tags[at(s)][i], kNone});
+    sideOf[at(roots[k])] = toIndex(k);
+  }
+  std::vector<Index> sizes(roots.size(), 0);
+  for (Index f = 0; f < toIndex(sideOf.size()); ++f) {
+    sideOf[at(f)] = sideOf[at(joined.find(f))];
+    ++sizes[at(sideOf[at(f)])];
+  }
+  for (const Index n : sizes) parts.sideFaces.offsets.push_back(parts.sideFaces.offsets.back() + n);
+  parts.sideFaces.items.resize(boundary.faces.size());
+  std::vector<Index> cursor(parts.sideFaces.offsets.begin(), parts.sideFaces.offsets.end() - 1);
+  for (std::size_t f = 0; f < sideOf.size(); ++f)
+    parts.sideFaces.items[at(cursor[at(sideOf[f])]++)] = boundary.faces[f];
+  for (Index p = 0, s = 0; p < partCount; ++p) {
+    for (; s < toIndex(parts.sides.size()) && parts.sides[at(s)].part == p; ++s) parts.partSides.items.push_back(s);
+    parts.partSides.closeList();
+  }
+
+  // Node to sides, by a counting sort over the boundary faces of each side in turn.
+  std::vector<std::pair<Index, Index>> incidences;
+  incidences.reserve(boundary.faces.size() * N);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (int v = 0; v < N + 1; ++v)
+      if (v != boundary.faces[f].face)
+        incidences.emplace_back(mesh.simplices[at(boundary.faces[f].simplex)][v], sideOf[f]);
+  std::sort(incidences.begin(), incidences.end());
+  incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
+  std::size_t next = 0;
+  for (Index node = 0; node < mesh.nodeCount(); ++node) {
+    for (; next < incidences.size() && incidences[next].first == node; ++next)
+      parts.nodeSides.items.push_back(incidences[next].second);
+    parts.nodeSides.closeList();
+  }
+
+  // Curves and corners.
+  std::vector<RidgeRecord<N>> records;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (int k = 0; k < N + 1; ++k) {
+      if (k == boundary.faces[f].face) continue;
+      const Index mate = boundary.mates[f][k];
+      if (sideOf[f] >= sideOf[at(mate)]) continue; // each ridge is met from both of its faces
+      RidgeRecord<N> record;
+      record.part = partOfFace(toIndex(f));
+      record.sides = {sideOf[f], sideOf[at(mate)]};
+      record.nodes = ridgeNodes(mesh, boundary.faces[f], k);
+      record.angle = insideAngle(mesh, boundary.faces[f], k, boundary.faces[at(mate)]);
+      record.length = ridgeLength<N>(mesh, record.nodes);
+      records.push_back(record);
+    }
+  parts.curves = buildCurves<N>(records);
+  parts.corners = buildCorners(parts, mesh.nodeCount());
+  linkOpposites(mesh, parts, boundary, sideOf);
+  judgeParts(parts, boundary, sideOf);
+  return parts;
+}
+
+template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &);
+template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &);
+
+} // namespace dualblock

@@ -1,0 +1,64 @@
+// Parts, sides, curves and corners (algorithm.md 2 and 3): the polytopes that the split surfaces cut the
+// domain into. With no split surface yet, the parts are the domain's components and their sides, curves
+// and corners are the domain's own features.
+#pragma once
+
+#include <string>
+
+#include "reference/reference_mesh.h"
+
+namespace dualblock {
+
+/// A maximal smooth piece of a part's boundary.
+struct Side {
+  Index part;
+  Index tag;      // the FaceTag that all its faces carry
+  Index opposite; // the side of the neighbouring part on the same split surface, or kNone
+};
+
+/// The faces of a part where two of its sides meet: a chain of ridges (3D), one node (2D).
+template <int N> struct Curve {
+  Index part;
+  std::array<Index, 2> sides;           // ascending
+  std::vector<std::array<Index, N - 1>> ridges; // node lists, in the order found
+  double angle;                         // inside the part, radians
+  bool open;                            // a chain with two ends that are corners (2D: always)
+};
+
+/// A node where at least N sides of a part meet.
+struct Corner {
+  Index part;
+  Index node;
+  std::vector<Index> sides; // ascending
+};
+
+struct PartInfo {
+  bool simple;      // condition (c) of algorithm.md 2
+  std::string why;  // what is not simple about it
+  Index region;
+};
+
+template <int N> struct Parts {
+  std::vector<PartInfo> parts;
+  std::vector<Index> partOfSimplex;
+  std::vector<Side> sides;
+  Lists<FaceRef<N>> sideFaces;  // per side
+  Lists<Index> nodeSides;       // per node: all sides it lies on, of any part, ascending
+  std::vector<Curve<N>> curves; // by part, then sides
+  std::vector<Corner> corners;  // by part, then node
+  Lists<Index> partSides;       // per part
+};
+
+struct PartOptions {
+  double smoothAngle = 0;             // radians: facets that meet at less than this from flat form one side
+  const std::vector<bool> *everyFace = nullptr; // per simplex: true where each face is a side of its own
+};
+
+/// Finds the parts that the mesh's tagged faces bound. Linear in the simplices; sorting is confined to the
+/// boundary faces.
+template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options);
+
+extern template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &);
+extern template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &);
+
+} // namespace dualblock

@@ -1,0 +1,227 @@
+#include "pipeline.h"
+
+#include <chrono>
+#include <limits>
+#include <optional>
+
+#include "contributions/repair.h"
+#include "geometry/jacobian.h"
+#include "geometry/placement.h"
+#include "parts/fallback.h"
+
+namespace dualblock {
+namespace {
+
+constexpr int kRepairRounds = 12;
+
+class StageClock {
+public:
+  StageClock(const Progress &progress, std::vector<StageTime> &timings) : progress_(progress), timings_(timings) {}
+  StageClock(const StageClock &) = delete;
+  StageClock &operator=(const StageClock &) = delete;
+  ~StageClock() { stop(); }
+
+  void start(const char *stage, double done) {
+    stop();
+    stage_ = stage;
+    if (progress_) progress_(stage, done);
+    begin_ = std::chrono::steady_clock::now();
+  }
+
+private:
+  void stop() {
+    if (!stage_) return;
+    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+    auto known = timings_.begin();
+    while (known != timings_.end() && known->stage != stage_) ++known;
+    if (known == timings_.end()) timings_.push_back({stage_, ms});
+    else known->milliseconds += ms;
+    stage_ = nullptr;
+  }
+
+  const Progress &progress_;
+  std::vector<StageTime> &timings_;
+  const char *stage_ = nullptr;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+/// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
+/// False if they cannot be made to hold.
+template <int N>
+bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector<bool> &everyFace, StageClock &clock) {
+  for (int round = 0; round < kRepairRounds; ++round) {
+    clock.start("contributions", 0.5);
+    r.contributions = assignContributions(r.mesh, r.parts);
+    Index added = 0;
+    if (!r.contributions.notFull.empty()) {
+      added = repairFullness(r.mesh, r.parts, r.contributions.notFull);
+    } else {
+      clock.start("dual", 0.6);
+      r.dual = buildDualCells(r.mesh, r.parts, r.contributions);
+      if (r.dual.surplus.empty()) {
+        r.surfaces = buildDualSurfaces(r.parts);
+        return true;
+      }
+      added = repairBubbles(r.mesh, r.parts, r.dual);
+    }
+    if (added == 0) return false;
+    r.repairs += added;
+    everyFace.resize(r.mesh.simplices.size(), false);
+    clock.start("parts", 0.4);
+    r.parts = buildParts(r.mesh, partOptions);
+  }
+  return false;
+}
+
+template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
+  clock.start("primal", 0.7);
+  r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
+  clock.start("placement", 0.8);
+  placeNodes(r.mesh, r.parts, r.dual, r.primal);
+  r.quality.clear();
+  for (const Block<N> &block : r.primal.blocks)
+    r.quality.push_back(scaledJacobian<N>(cornersOf<N>(block.nodes, r.primal.positions)));
+  clock.start("certificate", 0.9);
+  r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions, r.dual,
+                              r.surfaces, r.primal, r.domain.deviation});
+}
+
+/// Components whose parts are not simple, or give more blocks than the fallback would.
+template <int N>
+std::vector<bool> wantFallback(const PipelineResult<N> &r, const Components<N> &components,
+                               const std::vector<double> &limits, std::string &reason) {
+  std::vector<bool> replace(at(components.count), false);
+  std::vector<Index> componentOfPart(r.parts.parts.size(), 0);
+  for (Index s = 0; s < r.mesh.simplexCount(); ++s)
+    componentOfPart[at(r.parts.partOfSimplex[at(s)])] = components.ofSimplex[at(s)];
+  for (std::size_t p = 0; p < r.parts.parts.size(); ++p) {
+    if (r.parts.parts[p].simple) continue;
+    if (reason.empty()) reason = "a part could not be made simple: " + r.parts.parts[p].why;
+    replace[at(componentOfPart[p])] = true;
+  }
+  std::vector<double> blocks(at(components.count), 0);
+  for (const Corner &corner : r.parts.corners) blocks[at(componentOfPart[at(corner.part)])] += 1;
+  for (std::size_t c = 0; c < blocks.size(); ++c) {
+    if (limits.empty() || blocks[c] <= limits[c]) continue;
+    if (reason.empty()) reason = "the cut parts would give more blocks than the reference simplices";
+    replace[c] = true;
+  }
+  return replace;
+}
+
+template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coarse) {
+  const Components<N> components = findComponents(coarse);
+  std::vector<double> blocks(at(components.count), 0);
+  for (const Index c : components.ofSimplex) blocks[at(c)] += N + 1;
+  return blocks;
+}
+
+bool any(const std::vector<bool> &flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+} // namespace
+
+template <int N>
+Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOptions &options,
+                                      const Progress &progress) {
+  PipelineResult<N> r;
+  StageClock clock(progress, r.timings);
+  clock.start("domain", 0);
+  auto prepared = prepareDomain(given, options.tolerance);
+  if (!prepared.ok()) return prepared.error();
+  r.domain = std::move(prepared.value());
+  const Domain<N> &domain = r.domain.domain;
+
+  clock.start("reference", 0.05);
+  FillOptions fillOptions;
+  fillOptions.edgeLength = options.edgeLength;
+  fillOptions.seed = options.seed;
+  fillOptions.planarTolerance = options.tolerance;
+  fillOptions.shellsAreClosed = r.domain.shellsAreClosed;
+  auto filled = fillDomain(domain, fillOptions);
+  if (!filled.ok()) return filled.error();
+  r.mesh = std::move(filled.value().mesh);
+  r.remedy = std::move(filled.value().remedy);
+  r.fillSimplices = r.mesh.simplexCount();
+
+  // The fallback always works on the coarsest mesh: a refined one would only multiply its blocks.
+  std::optional<ReferenceMesh<N>> coarse;
+  std::optional<Error> coarseError;
+  const bool isCoarse = options.edgeLength <= 0 && options.seed == 0;
+  const auto needCoarse = [&]() -> const ReferenceMesh<N> * {
+    if (!coarse && !coarseError) {
+      FillOptions plain = fillOptions;
+      plain.edgeLength = 0;
+      plain.seed = 0;
+      auto again = fillDomain(domain, plain);
+      if (again.ok()) coarse = std::move(again.value().mesh);
+      else coarseError = again.error();
+    }
+    return coarse ? &*coarse : nullptr;
+  };
+  if (isCoarse) coarse = r.mesh;
+
+  clock.start("features", 0.3);
+  PartOptions partOptions{options.featureAngle, nullptr};
+  r.features = buildParts(r.mesh, partOptions);
+  r.featureNodes = r.mesh.nodes;
+
+  clock.start("parts", 0.35);
+  DecomposeOptions decomposeOptions;
+  decomposeOptions.tolerance = 3e-9 * r.mesh.size + 2 * r.domain.deviation;
+  decomposeOptions.smoothAngle = options.featureAngle;
+  decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
+  decomposeOptions.blockLimit = [&] {
+    const ReferenceMesh<N> *const mesh = needCoarse();
+    return mesh ? (N + 1.0) * mesh->simplexCount() : std::numeric_limits<double>::infinity();
+  };
+  Decomposition<N> decomposition = decompose(r.mesh, decomposeOptions);
+  r.parts = std::move(decomposition.parts);
+  r.cuts = decomposition.cuts;
+
+  std::vector<bool> everyFace;
+  std::vector<bool> replace;
+  if (decomposition.gaveUp) r.fallbackReason = "the cut parts would give more blocks than the reference simplices";
+  {
+    const Components<N> components = findComponents(r.mesh);
+    std::vector<double> limits;
+    if (decomposition.vertexCuts > 0 || decomposition.gaveUp)
+      if (const ReferenceMesh<N> *const mesh = needCoarse()) limits = fallbackBlocks(*mesh);
+    replace = wantFallback(r, components, limits, r.fallbackReason);
+  }
+  bool done = false;
+  if (!any(replace)) {
+    done = buildDual(r, partOptions, everyFace, clock);
+    if (done) {
+      buildResult(r, clock);
+      done = r.certificate.valid;
+      if (!done) r.fallbackReason = "the cut parts did not pass the certificate: " + r.certificate.failures[0].message;
+    } else {
+      r.fallbackReason = "repairs of the reference mesh did not end";
+    }
+    if (!done) { // blame the components of the blocks named, or all
+      replace.assign(replace.size(), true);
+    }
+  }
+  if (!done) {
+    clock.start("fallback", 0.4);
+    if (const ReferenceMesh<N> *const mesh = needCoarse()) {
+      FallbackMesh<N> fallback = applyFallback(r.mesh, *mesh, replace);
+      r.mesh = std::move(fallback.mesh);
+      everyFace = std::move(fallback.everyFace);
+      partOptions.everyFace = &everyFace;
+      r.fallbackComponents = toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
+      clock.start("parts", 0.45);
+      r.parts = buildParts(r.mesh, partOptions);
+      if (buildDual(r, partOptions, everyFace, clock)) buildResult(r, clock);
+      else r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
+    } else {
+      return *coarseError;
+    }
+  }
+  return r;
+}
+
+template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &, const Progress &);
+template Result<PipelineResult<3>> runPipeline(const Domain<3> &, const PipelineOptions &, const Progress &);
+
+} // namespace dualblock

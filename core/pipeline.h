@@ -1,0 +1,60 @@
+// From a domain to a certified block mesh: the only place that knows the order of the stages.
+#pragma once
+
+#include <functional>
+
+#include "certificate/certificate.h"
+#include "domain/prepare.h"
+#include "parts/decompose.h"
+#include "reference/fill.h"
+
+namespace dualblock {
+
+struct PipelineOptions {
+  double edgeLength = 0;    // of the reference mesh; 0: as coarse as TetGen makes it
+  std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
+  double tolerance = 1e-6;  // of planarity, relative to the domain's size
+  double featureAngle = 0;  // radians: facets that meet at less than this from flat form one side
+};
+
+/// Called before each stage with its name and the share of the work done, 0 to 1.
+using Progress = std::function<void(const char *stage, double done)>;
+
+struct StageTime {
+  const char *stage;
+  double milliseconds;
+};
+
+/// Everything that a run derives, each stage's result with the ids of what it came from. On failure the
+/// stages that were reached are filled in.
+template <int N> struct PipelineResult {
+  PreparedDomain<N> domain;
+  ReferenceMesh<N> mesh;
+  Parts<N> features;                // of the uncut reference mesh: the domain's own
+  std::vector<Vec<N>> featureNodes; // the nodes that `features` refers to
+  Index fillSimplices = 0;          // of the reference mesh before cuts and repairs
+  std::string remedy;               // what it took TetGen to succeed, or empty
+  Index cuts = 0;
+  Index repairs = 0;                // nodes added by repairs of conditions (a) and (b)
+  Index fallbackComponents = 0;     // components where every reference simplex became a part
+  std::string fallbackReason;
+  Parts<N> parts;
+  Contributions<N> contributions;
+  DualCells<N> dual;
+  DualSurfaces surfaces;
+  Primal<N> primal;
+  std::vector<double> quality; // per block: scaled Jacobian
+  Certificate certificate;
+  std::vector<StageTime> timings;
+};
+
+/// Runs all stages. An Error is bad input or a failed fill; a result whose certificate is not valid is no
+/// error here, but must not be handed out as a mesh.
+template <int N>
+Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
+                                      const Progress &progress = {});
+
+extern template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &, const Progress &);
+extern template Result<PipelineResult<3>> runPipeline(const Domain<3> &, const PipelineOptions &, const Progress &);
+
+} // namespace dualblock

@@ -1,0 +1,204 @@
+#include "reference/plane_cut.h"
+
+#include <unordered_set>
+
+namespace dualblock {
+namespace {
+
+/// A piece of the section: a simplex that the plane crosses (face = -1), or an inner face that lies in the
+/// plane between a simplex behind it and one in front.
+struct SectionPiece {
+  Index simplex;
+  int face;
+};
+
+template <int N> class Section {
+public:
+  Section(const ReferenceMesh<N> &mesh, const Plane<N> &plane, double tolerance)
+      : mesh_(mesh), plane_(plane), tolerance_(tolerance) {}
+
+  int sign(Index node) const {
+    const double d = plane_.distance(mesh_.nodes[at(node)]);
+    return d > tolerance_ ? 1 : d < -tolerance_ ? -1 : 0;
+  }
+
+  /// Grows the section's component from the simplices around one ridge in the plane.
+  void grow(Index seed, int from, int to) {
+    growAroundRidge(seed, from, to);
+    while (!queue_.empty()) {
+      const SectionPiece piece = queue_.back();
+      queue_.pop_back();
+      if (piece.face < 0) growFromSimplex(piece.simplex);
+      else growFromFace(piece.simplex, piece.face);
+    }
+  }
+
+  std::vector<Index> crossed;           // simplices with nodes on both sides
+  std::vector<SectionPiece> planeFaces; // inner faces in the plane, seen from behind
+
+  /// -1 or +1: the side that an uncrossed simplex lies on; a flat one in the plane counts as in front.
+  int side(const std::array<Index, N + 1> &nodes) const {
+    for (const Index v : nodes)
+      if (const int s = sign(v)) return s;
+    return 1;
+  }
+
+private:
+  bool isCrossed(Index s) const {
+    bool behind = false;
+    bool front = false;
+    for (const Index v : mesh_.simplices[at(s)]) {
+      const int sg = sign(v);
+      behind |= sg < 0;
+      front |= sg > 0;
+    }
+    return behind && front;
+  }
+
+  void addCrossed(Index s) {
+    if (!seen_.insert(std::int64_t{s} * (N + 2)).second) return;
+    crossed.push_back(s);
+    queue_.push_back({s, -1});
+  }
+
+  /// Takes face i of s into the section if it lies in the plane between the two sides.
+  void addPlaneFace(Index s, int i) {
+    const Index t = mesh_.neighbors[at(s)][i];
+    if (t == kNone) return;
+    for (int v = 0; v < N + 1; ++v)
+      if (v != i && sign(mesh_.simplices[at(s)][v]) != 0) return;
+    const int here = side(mesh_.simplices[at(s)]);
+    if (here == side(mesh_.simplices[at(t)])) return;
+    const SectionPiece behind = here < 0 ? SectionPiece{s, i} : SectionPiece{t, mesh_.mirrorFace(s, i)};
+    if (!seen_.insert(std::int64_t{behind.simplex} * (N + 2) + 1 + behind.face).second) return;
+    planeFaces.push_back(behind);
+    queue_.push_back(behind);
+  }
+
+  void growAroundRidge(Index s, int from, int to) {
+    const auto visit = [&](Index t) {
+      if (isCrossed(t)) {
+        addCrossed(t);
+        return;
+      }
+      for (int i = 0; i < N + 1; ++i) addPlaneFaceOnRidge(t, i, s, from, to);
+    };
+    const FaceRef<N> stop = turnAroundRidge(mesh_, s, from, to, kCrossAll, visit);
+    if (mesh_.neighbors[at(stop.simplex)][stop.face] == kNone) // an outer ridge: turn the other way too
+      turnAroundRidge(mesh_, s, to, from, kCrossAll, visit);
+  }
+
+  void addPlaneFaceOnRidge(Index t, int i, Index s, int from, int to) {
+    // Only faces that hold the ridge itself: others may belong to another component.
+    for (int v = 0; v < N + 1; ++v) {
+      if (v == from || v == to) continue;
+      const Index node = mesh_.simplices[at(s)][v];
+      const int k = mesh_.localVertex(t, node);
+      if (k < 0 || k == i) return;
+    }
+    addPlaneFace(t, i);
+  }
+
+  void growFromSimplex(Index s) {
+    const auto &v = mesh_.simplices[at(s)];
+    for (int i = 0; i < N + 1; ++i) { // across crossed faces
+      const Index t = mesh_.neighbors[at(s)][i];
+      if (t == kNone) continue;
+      bool behind = false;
+      bool front = false;
+      for (int k = 0; k < N + 1; ++k) {
+        if (k == i) continue;
+        behind |= sign(v[k]) < 0;
+        front |= sign(v[k]) > 0;
+      }
+      if (behind && front) addCrossed(t);
+    }
+    growAroundPlaneRidges(s, -1);
+  }
+
+  void growFromFace(Index s, int face) { growAroundPlaneRidges(s, face); }
+
+  /// Around every ridge of s, or of its face, that lies in the plane.
+  void growAroundPlaneRidges(Index s, int face) {
+    const auto &v = mesh_.simplices[at(s)];
+    for (int i = 0; i < N + 1; ++i)
+      for (int k = i + 1; k < N + 1; ++k) {
+        if (face >= 0 && i != face && k != face) continue;
+        bool inPlane = true;
+        for (int m = 0; m < N + 1; ++m) inPlane &= m == i || m == k || sign(v[m]) == 0;
+        if (inPlane) growAroundRidge(s, i, k);
+      }
+  }
+
+  const ReferenceMesh<N> &mesh_;
+  const Plane<N> plane_;
+  const double tolerance_;
+  std::vector<SectionPiece> queue_;
+  std::unordered_set<std::int64_t> seen_; // membership only: no order is taken from it
+};
+
+} // namespace
+
+template <int N>
+CutResult cutByPlane(ReferenceMesh<N> &mesh, Index surface, Index seed, int from, int to, double tolerance) {
+  const Plane<N> plane = mesh.surfaces[at(surface)].plane;
+  Section<N> section(mesh, plane, tolerance);
+  section.grow(seed, from, to);
+  CutResult result;
+
+  const auto tagPair = [&](Index behind, int i) {
+    const Index front = mesh.neighbors[at(behind)][i];
+    if (front == kNone || mesh.tags[at(behind)][i] != kNone) return;
+    mesh.tags[at(behind)][i] = FaceTag::back(surface);
+    mesh.tags[at(front)][mesh.mirrorFace(behind, i)] = FaceTag::front(surface);
+    ++result.faces;
+  };
+  for (const SectionPiece &piece : section.planeFaces) tagPair(piece.simplex, piece.face);
+  if (section.crossed.empty()) return result;
+
+  std::vector<std::pair<Index, Index>> crossing;
+  for (const Index s : section.crossed) {
+    const auto &v = mesh.simplices[at(s)];
+    for (int i = 0; i < N + 1; ++i)
+      for (int k = i + 1; k < N + 1; ++k)
+        if (section.sign(v[i]) * section.sign(v[k]) < 0) crossing.emplace_back(std::minmax(v[i], v[k]));
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  std::vector<EdgeSplit> splits;
+  splits.reserve(crossing.size());
+  for (const auto &[a, b] : crossing) {
+    const double da = plane.distance(mesh.nodes[at(a)]);
+    const double db = plane.distance(mesh.nodes[at(b)]);
+    const Vec<N> x = mesh.nodes[at(a)] + (da / (da - db)) * (mesh.nodes[at(b)] - mesh.nodes[at(a)]);
+    splits.push_back({a, b, mesh.nodeCount()});
+    mesh.nodes.push_back(x);
+  }
+
+  // A new node lies in the plane by identity, whatever its rounded coordinates say.
+  const Index firstNew = splits.front().node;
+  const auto signByIdentity = [&](Index node) { return node >= firstNew ? 0 : section.sign(node); };
+  const auto sideOf = [&](Index s) {
+    for (const Index v : mesh.simplices[at(s)])
+      if (const int sg = signByIdentity(v)) return sg;
+    return 1;
+  };
+  std::vector<Index> pieces = section.crossed;
+  subdivide(mesh, splits, pieces);
+  for (const Index s : pieces) {
+    if (sideOf(s) > 0) continue;
+    for (int i = 0; i < N + 1; ++i) {
+      bool inPlane = true;
+      for (int v = 0; v < N + 1; ++v) inPlane &= v == i || signByIdentity(mesh.simplices[at(s)][v]) == 0;
+      const Index t = mesh.neighbors[at(s)][i];
+      if (inPlane && t != kNone && sideOf(t) > 0) tagPair(s, i);
+    }
+  }
+  result.touched = true;
+  return result;
+}
+
+template CutResult cutByPlane(ReferenceMesh<2> &, Index, Index, int, int, double);
+template CutResult cutByPlane(ReferenceMesh<3> &, Index, Index, int, int, double);
+
+} // namespace dualblock

@@ -1,0 +1,91 @@
+#include "reference/refine.h"
+
+#include <random>
+
+namespace dualblock {
+namespace {
+
+struct WantedSplit {
+  Index a, b;
+  double position; // from a to b
+};
+
+/// Splits the edges in the given order of precedence.
+template <int N> void splitInOrder(ReferenceMesh<N> &mesh, const std::vector<WantedSplit> &wanted) {
+  std::vector<EdgeSplit> splits;
+  std::vector<bool> marked(mesh.nodes.size(), false);
+  for (const WantedSplit &w : wanted) {
+    splits.push_back({w.a, w.b, mesh.nodeCount()});
+    mesh.nodes.push_back(mesh.nodes[at(w.a)] + w.position * (mesh.nodes[at(w.b)] - mesh.nodes[at(w.a)]));
+    marked[at(w.a)] = marked[at(w.b)] = true;
+  }
+  std::sort(splits.begin(), splits.end(),
+            [](const EdgeSplit &x, const EdgeSplit &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  std::vector<Index> affected;
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    const auto &v = mesh.simplices[at(s)];
+    bool hit = false;
+    for (int i = 0; i < N + 1 && !hit; ++i)
+      for (int k = i + 1; k < N + 1 && !hit; ++k)
+        hit = marked[at(v[i])] && marked[at(v[k])] && splitNode(splits, v[i], v[k]) != kNone;
+    if (hit) affected.push_back(s);
+  }
+  subdivide(mesh, splits, affected);
+}
+
+template <int N> std::vector<std::pair<Index, Index>> allEdges(const ReferenceMesh<N> &mesh) {
+  std::vector<std::pair<Index, Index>> edges;
+  for (const auto &v : mesh.simplices)
+    for (int i = 0; i < N + 1; ++i)
+      for (int k = i + 1; k < N + 1; ++k) edges.emplace_back(std::minmax(v[i], v[k]));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+} // namespace
+
+template <int N> void splitLongEdges(ReferenceMesh<N> &mesh, double length) {
+  while (true) {
+    std::vector<std::pair<double, std::pair<Index, Index>>> tooLong;
+    for (const auto &edge : allEdges(mesh)) {
+      const double l = glm::length(mesh.nodes[at(edge.second)] - mesh.nodes[at(edge.first)]);
+      if (l > length) tooLong.push_back({-l, edge});
+    }
+    if (tooLong.empty()) return;
+    std::sort(tooLong.begin(), tooLong.end());
+    std::vector<WantedSplit> wanted;
+    for (const auto &[l, edge] : tooLong) wanted.push_back({edge.first, edge.second, 0.5});
+    splitInOrder(mesh, wanted);
+  }
+}
+
+template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t seed) {
+  std::vector<std::pair<Index, Index>> edges = allEdges(mesh);
+  std::mt19937 random(seed);
+  std::vector<WantedSplit> wanted;
+  const std::size_t count = std::min(edges.size(), std::max<std::size_t>(4, edges.size() / 8));
+  for (std::size_t k = 0; k < count; ++k) {
+    std::swap(edges[k], edges[k + random() % (edges.size() - k)]);
+    wanted.push_back({edges[k].first, edges[k].second, 0.25 + static_cast<double>(random()) / 8589934592.0});
+  }
+  splitInOrder(mesh, wanted);
+}
+
+template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges) {
+  for (auto &edge : edges) edge = std::minmax(edge.first, edge.second);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<WantedSplit> wanted;
+  for (const auto &[a, b] : edges) wanted.push_back({a, b, 0.5});
+  splitInOrder(mesh, wanted);
+}
+
+template void splitLongEdges(ReferenceMesh<2> &, double);
+template void splitLongEdges(ReferenceMesh<3> &, double);
+template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);
+template void splitRandomEdges(ReferenceMesh<3> &, std::uint32_t);
+template void splitEdges(ReferenceMesh<2> &, std::vector<std::pair<Index, Index>>);
+template void splitEdges(ReferenceMesh<3> &, std::vector<std::pair<Index, Index>>);
+
+} // namespace dualblock

@@ -1,0 +1,25 @@
+// Refinement of a reference mesh by splitting edges: the same code in every dimension.
+#pragma once
+
+#include "reference/subdivide.h"
+
+namespace dualblock {
+
+/// Splits edges longer than `length` at their midpoints, longest first, until none is left.
+template <int N> void splitLongEdges(ReferenceMesh<N> &mesh, double length);
+
+/// Splits about an eighth of the edges, at least four, each at a random point of its middle half. The
+/// same seed gives the same mesh.
+template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t seed);
+
+/// Splits the given edges (pairs of nodes, any order) at their midpoints.
+template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges);
+
+extern template void splitLongEdges(ReferenceMesh<2> &, double);
+extern template void splitLongEdges(ReferenceMesh<3> &, double);
+extern template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);
+extern template void splitRandomEdges(ReferenceMesh<3> &, std::uint32_t);
+extern template void splitEdges(ReferenceMesh<2> &, std::vector<std::pair<Index, Index>>);
+extern template void splitEdges(ReferenceMesh<3> &, std::vector<std::pair<Index, Index>>);
+
+} // namespace dualblock

@@ -1,0 +1,162 @@
+#include "reference/tetgen_adaptor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+#include <random>
+
+#include "domain/polygon.h"
+#include "tetgen.h"
+
+namespace dualblock {
+namespace {
+
+/// One rung of the ladder of remedies.
+struct Attempt {
+  const char *switches;
+  const char *remedy;
+  bool snap;
+  bool shift;
+};
+
+constexpr Attempt kAttempts[] = {
+    {"", "", false, false},
+    {"T1e-5", "a coplanarity tolerance of 1e-5", false, false},
+    {"", "coordinates snapped to 2^-30 of the size", true, false},
+    {"T1e-5", "coordinates snapped to 2^-30 of the size, and a coplanarity tolerance of 1e-5", true, false},
+    {"T1e-7", "a random shift of 1e-9 of the size", false, true},
+    {"T1e-4", "a random shift of 1e-9 of the size, and a coplanarity tolerance of 1e-4", false, true},
+};
+
+std::vector<Vec<3>> altered(const std::vector<Vec<3>> &vertices, const Attempt &attempt, double size) {
+  std::vector<Vec<3>> points = vertices;
+  const double grid = std::ldexp(1.0, std::ilogb(size) - 30);
+  std::mt19937 random(1); // its sequence is fixed by the standard, unlike that of the distributions
+  for (Vec<3> &p : points)
+    for (int k = 0; k < 3; ++k) {
+      if (attempt.snap) p[k] = std::round(p[k] / grid) * grid;
+      if (attempt.shift) p[k] += (static_cast<double>(random()) / 4294967296.0 - 0.5) * 2e-9 * size;
+    }
+  return points;
+}
+
+/// Everything handed to tetgenio is new[]-ed: its destructor delete[]s it, after errors too.
+void fillInput(tetgenio &in, const std::vector<Vec<3>> &points, const std::vector<Facet> &facets) {
+  in.firstnumber = 0;
+  in.numberofpoints = static_cast<int>(points.size());
+  in.pointlist = new REAL[points.size() * 3];
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (int k = 0; k < 3; ++k) in.pointlist[3 * v + static_cast<std::size_t>(k)] = points[v][k];
+  in.numberoffacets = static_cast<int>(facets.size());
+  in.facetmarkerlist = new int[facets.size()];
+  in.facetlist = new tetgenio::facet[facets.size()];
+  for (std::size_t f = 0; f < facets.size(); ++f) tetgenio::init(&in.facetlist[f]);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto &loops = facets[f].loops;
+    auto &facet = in.facetlist[f];
+    in.facetmarkerlist[f] = static_cast<int>(f) + 1;
+    facet.polygonlist = new tetgenio::polygon[loops.size()];
+    facet.numberofpolygons = static_cast<int>(loops.size());
+    for (std::size_t l = 0; l < loops.size(); ++l) tetgenio::init(&facet.polygonlist[l]);
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      facet.polygonlist[l].vertexlist = new int[loops[l].size()];
+      facet.polygonlist[l].numberofvertices = static_cast<int>(loops[l].size());
+      std::copy(loops[l].begin(), loops[l].end(), facet.polygonlist[l].vertexlist);
+    }
+    if (loops.size() < 2) continue;
+    const Plane<3> plane = facetPlane<3>(points, facets[f]);
+    const PlaneBasis basis(plane.normal);
+    facet.holelist = new REAL[3 * (loops.size() - 1)];
+    facet.numberofholes = static_cast<int>(loops.size()) - 1;
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      std::vector<Vec<2>> polygon;
+      for (const Index v : loops[l]) polygon.push_back(basis.project(points[at(v)]));
+      const Vec<2> inside = pointInside(polygon);
+      const Vec<3> x = inside.x * basis.u + inside.y * basis.v + plane.offset * plane.normal;
+      for (int k = 0; k < 3; ++k) facet.holelist[3 * (l - 1) + static_cast<std::size_t>(k)] = x[k];
+    }
+  }
+}
+
+Tetrahedra readOutput(const tetgenio &out) {
+  Tetrahedra mesh;
+  mesh.nodes.resize(static_cast<std::size_t>(out.numberofpoints));
+  for (std::size_t v = 0; v < mesh.nodes.size(); ++v)
+    mesh.nodes[v] = {out.pointlist[3 * v], out.pointlist[3 * v + 1], out.pointlist[3 * v + 2]};
+  const std::size_t count = static_cast<std::size_t>(out.numberoftetrahedra);
+  mesh.simplices.resize(count);
+  for (std::size_t s = 0; s < count; ++s)
+    for (std::size_t k = 0; k < 4; ++k) mesh.simplices[s][k] = out.tetrahedronlist[4 * s + k];
+  // TetGen orders the neighbours by its own face numbers: find each one's place by the missing vertex.
+  mesh.neighbors.assign(count, {kNone, kNone, kNone, kNone});
+  for (std::size_t s = 0; s < count; ++s)
+    for (std::size_t n = 0; n < 4; ++n) {
+      const Index t = out.neighborlist[4 * s + n];
+      if (t < 0) continue;
+      const auto &other = mesh.simplices[at(t)];
+      for (std::size_t k = 0; k < 4; ++k)
+        if (std::find(other.begin(), other.end(), mesh.simplices[s][k]) == other.end()) mesh.neighbors[s][k] = t;
+    }
+  for (std::size_t f = 0; f < static_cast<std::size_t>(out.numberoftrifaces); ++f) {
+    if (out.trifacemarkerlist[f] <= 0) continue;
+    mesh.faces.push_back({out.trifacelist[3 * f], out.trifacelist[3 * f + 1], out.trifacelist[3 * f + 2]});
+    mesh.faceFacet.push_back(out.trifacemarkerlist[f] - 1);
+    mesh.faceSimplices.push_back({out.adjtetlist[2 * f], out.adjtetlist[2 * f + 1]});
+  }
+  return mesh;
+}
+
+Error explain(int code) {
+  switch (code) {
+  case 1:
+    return {ErrorCode::outOfMemory, "TetGen ran out of memory: refine less, or simplify the domain.", {}};
+  case 3:
+    return {ErrorCode::selfIntersection,
+            "TetGen found that the boundary crosses itself: repair the surface so that facets meet only along "
+            "shared edges.",
+            {}};
+  default:
+    return {ErrorCode::tetgenFailed,
+            "TetGen could not fill the domain, although its input was also tried with a wider tolerance, snapped "
+            "and shifted: look for facets that nearly touch, or give a reference mesh of your own.",
+            {}};
+  }
+}
+
+} // namespace
+
+Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
+                             const TetgenOptions &options) {
+  int lastCode = 2;
+  for (const Attempt &attempt : kAttempts) {
+    const bool plain = !attempt.snap && !attempt.shift;
+    const std::vector<Vec<3>> points = plain ? vertices : altered(vertices, attempt, options.size);
+    char switches[96];
+    if (options.maxVolume > 0)
+      std::snprintf(switches, sizeof switches, "pq1.414a%.17gnnJQ%s", options.maxVolume, attempt.switches);
+    else std::snprintf(switches, sizeof switches, "pYnnJQ%s", attempt.switches);
+    tetgenio in;
+    tetgenio out;
+    try {
+      fillInput(in, points, facets);
+      tetrahedralize(switches, &in, &out);
+    } catch (int code) {
+      lastCode = code;
+      if (code == 1) break;
+      continue;
+    } catch (const std::bad_alloc &) {
+      lastCode = 1;
+      break;
+    }
+    if (out.numberoftetrahedra == 0) continue;
+    Tetrahedra mesh = readOutput(out);
+    if (mesh.nodes.size() < vertices.size()) continue;
+    std::copy(vertices.begin(), vertices.end(), mesh.nodes.begin());
+    mesh.remedy = attempt.remedy;
+    return mesh;
+  }
+  return explain(lastCode);
+}
+
+} // namespace dualblock

@@ -1,0 +1,45 @@
+// Adds up what CTest and Vitest report about the last `npm test`: the last line is 'N passed, N failed'.
+// Fails if a report is missing or a test failed.
+import { readFileSync, rmSync } from 'node:fs';
+
+const reports = [
+  {
+    file: 'build/sanitize/junit.xml',
+    count(text) {
+      const suite = /<testsuite\b[^>]*>/.exec(text)[0];
+      const number = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)[1]);
+      const failed = number('failures');
+      return { passed: number('tests') - failed - number('skipped') - number('disabled'), failed };
+    },
+  },
+  {
+    file: 'build/vitest.json',
+    count(text) {
+      const report = JSON.parse(text);
+      // A test file that cannot be loaded has no tests in it, and counts as one failure.
+      const broken = report.testResults.filter(
+        (f) => f.status === 'failed' && f.assertionResults.length === 0,
+      );
+      return { passed: report.numPassedTests, failed: report.numFailedTests + broken.length };
+    },
+  },
+];
+
+if (process.argv.includes('--clear')) {
+  for (const { file } of reports) rmSync(file, { force: true });
+} else {
+  let passed = 0;
+  let failed = 0;
+  for (const { file, count } of reports) {
+    try {
+      const counts = count(readFileSync(file, 'utf8'));
+      passed += counts.passed;
+      failed += counts.failed;
+    } catch (error) {
+      console.error(`no usable report in ${file}: ${error.message}`);
+      process.exitCode = 1;
+    }
+  }
+  if (failed > 0) process.exitCode = 1;
+  console.log(`${passed} passed, ${failed} failed`);
+}

@@ -1,0 +1,18 @@
+#!/bin/sh
+# Formatting and static checks of everything, changing nothing. `npm run format` repairs what it can.
+set -eu
+cd "$(dirname "$0")/../.."
+sh core/toolchain/setup.sh test
+
+npx biome check .
+npx tsc
+find core wasm tests \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format --dry-run -Werror
+
+cmake --preset native >/dev/null # for compile_commands.json
+# shellcheck disable=SC2016 # $0 is the inner shell's: one file
+find core -name '*.cpp' -not -path 'core/toolchain/*' -print0 | xargs -0 -n 1 -P 2 sh -c '
+  report=$(clang-tidy --quiet -p build/native "$0" 2>&1) || {
+    printf "%s\n" "$report"
+    exit 1
+  }'
+echo 'lint: no findings'

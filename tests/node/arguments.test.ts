@@ -1,0 +1,95 @@
+// The command line's contract, word by word.
+import { describe, expect, it } from 'vitest';
+import { parseArguments, UsageError } from '../../wasm/cli/arguments.ts';
+import { helpText, options } from '../../wasm/cli/options.ts';
+
+const parse = (line: string): unknown => parseArguments(line.split(' ').filter((word) => word !== ''));
+const plain = { kind: 'run', outputs: [], report: null, quiet: false, settings: {} };
+const file = { kind: 'file', path: 'a.json' };
+
+describe('parseArguments', () => {
+  it.each<[string, unknown]>([
+    ['a.json', { ...plain, source: file }],
+    ['--example square_2d', { ...plain, source: { kind: 'example', name: 'square_2d' } }],
+    ['--list-examples', { kind: 'listExamples' }],
+    ['--help', { kind: 'help' }],
+    ['a.json --seed x --help', { kind: 'help' }],
+    ['--version', { kind: 'version' }],
+    ['--version --help', { kind: 'help' }],
+    [
+      'a.json -o b.vtk -o c.mesh --output=d.obj',
+      { ...plain, source: file, outputs: ['b.vtk', 'c.mesh', 'd.obj'] },
+    ],
+    ['-ob.vtk a.json', { ...plain, source: file, outputs: ['b.vtk'] }],
+    ['a.json --report -', { ...plain, source: file, report: '-' }],
+    ['a.json --report=r.json --quiet', { ...plain, source: file, report: 'r.json', quiet: true }],
+    ['a.json --quiet --quiet', { ...plain, source: file, quiet: true }],
+    ['-- -odd.json', { ...plain, source: { kind: 'file', path: '-odd.json' } }],
+    ['a.json --reference coarse', { ...plain, source: file, settings: { reference: 'coarse' } }],
+    [
+      'a.json --reference .5 --seed 4294967295 --feature-angle 35 --tolerance 1e-8',
+      {
+        ...plain,
+        source: file,
+        settings: { reference: 0.5, seed: 4294967295, featureAngle: 35, tolerance: 1e-8 },
+      },
+    ],
+  ])('takes %j', (line, expected) => {
+    expect(parse(line)).toEqual(expected);
+  });
+
+  it.each<[string, RegExp, RegExp]>([
+    ['', /no input/, /name a file/],
+    ['--quiet', /no input/, /--example/],
+    ['a.json b.vtk', /2 inputs/, /-o/],
+    ['a.json --example square_2d', /both/, /one of them/],
+    ['-', /standard input/, /name a file/],
+    ['a.json --refine 2', /no option --refine/, /--help/],
+    ['a.json --extract 3', /no option --extract/, /--help/],
+    ['a.json --toleranc 1', /no option --toleranc/, /--tolerance/],
+    ['a.json --no-quiet', /no option --no-quiet/, /--help/],
+    ['a.json -q', /no option -q/, /--help/],
+    ['a.json --constructor', /no option --constructor/, /--help/],
+    ['--help --nope', /no option --nope/, /--help/],
+    ['a.json -o', /-o needs a value/, /--output=OUTPUT/],
+    ['a.json -o --quiet', /-o needs a value.*looks like an option/, /--output=OUTPUT/],
+    ['a.json --report=', /--report needs a value/, /--report=FILE/],
+    ['a.json --quiet=yes', /takes no value/, /only --quiet/],
+    ['a.json -o -', /standard output/, /name a file/],
+    ['a.json -o b.vtk -o b.vtk', /written twice/, /name of its own/],
+    ['a.json -o b.json --report b.json', /written twice/, /name of its own/],
+    ['a.json --seed 1 --seed 2', /--seed is given twice/, /once/],
+    ['--list-examples a.json', /nothing else/, /only/],
+    ['--list-examples --quiet', /nothing else/, /only/],
+    ['a.json --seed 1.5', /--seed cannot be "1.5"/, /whole number/],
+    ['a.json --seed=-1', /--seed cannot be "-1"/, /whole number/],
+    ['a.json --seed 4294967296', /--seed cannot be/, /4294967295/],
+    ['a.json --reference fine', /--reference cannot be "fine"/, /coarse/],
+    ['a.json --reference 0', /--reference cannot be "0"/, /over 0/],
+    ['a.json --reference 1e999', /--reference cannot be/, /over 0/],
+    ['a.json --reference 0x10', /--reference cannot be/, /over 0/],
+    ['a.json --feature-angle 180', /--feature-angle cannot be/, /under 180/],
+    ['a.json --feature-angle=-5', /--feature-angle cannot be/, /over 0/],
+    ['a.json --tolerance 1', /--tolerance cannot be/, /under 1/],
+    ['a.json --tolerance nan', /--tolerance cannot be/, /number/],
+  ])('refuses %j', (line, message, remedy) => {
+    let error: unknown;
+    try {
+      parse(line);
+    } catch (caught) {
+      error = caught;
+    }
+    expect(error).toBeInstanceOf(UsageError);
+    const { message: text, remedy: advice, exitStatus } = error as UsageError;
+    expect(text).toMatch(message);
+    expect(advice).toMatch(remedy);
+    expect(exitStatus).toBe(2);
+  });
+});
+
+describe('helpText', () => {
+  it('names every option on lines that fit a terminal', () => {
+    for (const name of Object.keys(options)) expect(helpText()).toContain(`--${name}`);
+    for (const line of helpText().split('\n')) expect(line.length).toBeLessThanOrEqual(110);
+  });
+});

@@ -1,0 +1,15 @@
+/**
+ * How the tests start Chromium: as root too, and without look-ups of its own. WebGL2 comes from SwiftShader;
+ * Playwright already passes --enable-unsafe-swiftshader. CHROMIUM names another executable.
+ */
+export const chromium = {
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: [
+    '--no-sandbox',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+  ],
+};

@@ -1,0 +1,177 @@
+// The command line as a value: strict, so that a slip never changes what is computed.
+import { parseArgs } from 'node:util';
+import { findOption, nearestOption, options } from './options.ts';
+
+/** Settings that the command line gave; what is absent keeps its default. */
+export interface GivenSettings {
+  /** No refinement of the reference mesh, or its longest edge in the units of the input. */
+  reference?: 'coarse' | number;
+  /** 0 to 2^32 - 1. */
+  seed?: number;
+  /** Degrees, over 0 and under 180. */
+  featureAngle?: number;
+  /** Relative to the domain's size, over 0 and under 1. */
+  tolerance?: number;
+}
+
+export type Source = { kind: 'file'; path: string } | { kind: 'example'; name: string };
+
+export type Command =
+  | { kind: 'help' }
+  | { kind: 'version' }
+  | { kind: 'listExamples' }
+  | {
+      kind: 'run';
+      source: Source;
+      /** Files to write the mesh to, in the order given; none is allowed. */
+      outputs: string[];
+      /** A file for the JSON report, "-" for standard output, null for no report. */
+      report: string | null;
+      quiet: boolean;
+      settings: GivenSettings;
+    };
+
+/** A command line that breaks the contract: the program prints message and remedy and exits with 2. */
+export class UsageError extends Error {
+  readonly remedy: string;
+  readonly exitStatus = 2;
+
+  /** `message` says what is wrong, `remedy` what to write instead. */
+  constructor(message: string, remedy: string) {
+    super(message);
+    this.name = 'UsageError';
+    this.remedy = remedy;
+  }
+}
+
+/**
+ * Parses the words after the program's name. --help goes before --version, that before everything else; both still need
+ * known options. Throws a UsageError for an unknown or repeated option, a missing, superfluous or impossible value, and
+ * a missing or second input. Whether files exist and whether their extensions are known is not looked at.
+ */
+export function parseArguments(words: readonly string[]): Command {
+  const { given, inputs } = collect(words);
+  const first = (name: string): string | undefined => given.get(name)?.[0];
+
+  if (given.has('help')) return { kind: 'help' };
+  if (given.has('version')) return { kind: 'version' };
+  if (given.has('list-examples')) {
+    if (given.size === 1 && inputs.length === 0) return { kind: 'listExamples' };
+    throw new UsageError('--list-examples goes with nothing else', 'write only dualblock --list-examples');
+  }
+
+  const outputs = given.get('output') ?? [];
+  if (outputs.includes('-')) {
+    throw new UsageError('the mesh cannot be written to standard output', 'name a file: -o mesh.vtk');
+  }
+  const report = first('report') ?? null;
+  const files = [...outputs, ...(report === null || report === '-' ? [] : [report])];
+  const twice = files.find((file, i) => files.indexOf(file) !== i);
+  if (twice !== undefined)
+    throw new UsageError(`${quote(twice)} would be written twice`, 'give every output a name of its own');
+  return {
+    kind: 'run',
+    source: sourceOf(inputs, first('example')),
+    outputs,
+    report,
+    quiet: given.has('quiet'),
+    settings: settingsOf(first),
+  };
+}
+
+/** Options with their values in order, and the other words. */
+function collect(words: readonly string[]): { given: Map<string, string[]>; inputs: string[] } {
+  const config = Object.fromEntries(
+    Object.keys(options).map((name) => {
+      const { short, value } = findOption(name) ?? {};
+      return [name, { type: value ? 'string' : 'boolean', ...(short ? { short } : {}) } as const];
+    }),
+  );
+  const { tokens } = parseArgs({ args: [...words], options: config, strict: false, tokens: true });
+  const given = new Map<string, string[]>();
+  const inputs: string[] = [];
+  for (const token of tokens) {
+    if (token.kind === 'positional') inputs.push(token.value);
+    if (token.kind !== 'option') continue;
+    const { name, rawName, value, inlineValue } = token;
+    const option = findOption(name);
+    if (!option) {
+      const near = rawName.startsWith('--') ? nearestOption(name) : undefined;
+      throw new UsageError(
+        `there is no option ${rawName}`,
+        near ? `did you mean --${near}?` : 'see dualblock --help',
+      );
+    }
+    if (!option.value && value !== undefined)
+      throw new UsageError(`${rawName} takes no value`, `write only ${rawName}`);
+    if (option.value && (value === undefined || value === '' || (!inlineValue && /^-./.test(value)))) {
+      const found = value ? `, and ${quote(value)} looks like an option` : '';
+      throw new UsageError(`${rawName} needs a value${found}`, `write --${name}=${option.value}`);
+    }
+    const before = given.get(name);
+    if (before && option.value && !option.repeatable) {
+      throw new UsageError(`${rawName} is given twice`, 'give it once');
+    }
+    given.set(name, [...(before ?? []), ...(value === undefined ? [] : [value])]);
+  }
+  return { given, inputs };
+}
+
+function sourceOf(inputs: string[], example: string | undefined): Source {
+  const [path] = inputs;
+  if (inputs.length > 1) {
+    throw new UsageError(
+      `there are ${inputs.length} inputs: ${inputs.map(quote).join(', ')}`,
+      'give one; put -o before an output',
+    );
+  }
+  if (example !== undefined) {
+    if (path === undefined) return { kind: 'example', name: example };
+    throw new UsageError(`there is both the input ${quote(path)} and --example`, 'give one of them');
+  }
+  if (path === '') throw new UsageError('the name of the input is empty', 'name a file');
+  if (path === '-') throw new UsageError('the domain is not read from standard input', 'name a file');
+  if (path !== undefined) return { kind: 'file', path };
+  throw new UsageError(
+    'there is no input',
+    'name a file, or an example with --example; see dualblock --help',
+  );
+}
+
+function settingsOf(first: (name: string) => string | undefined): GivenSettings {
+  const settings: GivenSettings = {};
+  const reference = first('reference');
+  const seed = first('seed');
+  const featureAngle = first('feature-angle');
+  const tolerance = first('tolerance');
+  if (reference !== undefined) {
+    settings.reference =
+      reference === 'coarse'
+        ? 'coarse'
+        : between('reference', reference, Infinity, 'coarse or a length over 0');
+  }
+  if (seed !== undefined) {
+    settings.seed = Number(seed);
+    if (!/^\d+$/.test(seed) || settings.seed >= 2 ** 32)
+      throw badValue('seed', seed, 'a whole number from 0 to 4294967295');
+  }
+  if (featureAngle !== undefined) {
+    settings.featureAngle = between('feature-angle', featureAngle, 180, 'degrees over 0 and under 180');
+  }
+  if (tolerance !== undefined) {
+    settings.tolerance = between('tolerance', tolerance, 1, 'a number over 0 and under 1, such as 1e-8');
+  }
+  return settings;
+}
+
+/** The decimal number that a value spells, over 0 and under `limit`. */
+function between(name: string, value: string, limit: number, wanted: string): number {
+  const number = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) : Number.NaN;
+  if (number > 0 && number < limit) return number;
+  throw badValue(name, value, wanted);
+}
+
+const badValue = (name: string, value: string, wanted: string): UsageError =>
+  new UsageError(`--${name} cannot be ${quote(value)}`, `give ${wanted}`);
+
+const quote = (text: string): string => JSON.stringify(text);

@@ -1,0 +1,21 @@
+import type { ErrorCode } from '../error-codes.ts';
+
+/** Something at fault: its kind ("line", "vertex", "facet", ...) and its number, from 1 for lines, else from 0. */
+export interface EntityReference {
+  kind: string;
+  index: number;
+}
+
+/** An error with a code from the one list, a message that names the remedy, and the entities at fault. */
+export class DualblockError extends Error {
+  readonly code: ErrorCode;
+  readonly entities: EntityReference[];
+
+  /** `message` says what is wrong, where, and what to do about it; `entities` may be empty. */
+  constructor(code: ErrorCode, message: string, entities: EntityReference[] = []) {
+    super(message);
+    this.name = 'DualblockError';
+    this.code = code;
+    this.entities = entities;
+  }
+}

@@ -1,0 +1,72 @@
+// STL. Binary files go through three.js's loader, which keeps their single precision numbers exactly; it
+// trusts the announced count and accepts NaN, so both are checked here. Text files have a reader of their own,
+// because three.js rounds their numbers to single precision and skips what it does not understand.
+import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+import { DualblockError } from './errors.ts';
+import type { RawSurface } from './polygon-soup.ts';
+import { readStlText } from './read-stl-text.ts';
+import { decodeText } from './text-lines.ts';
+
+const kHeader = 84; // 80 bytes of comment and the number of facets
+const kFacet = 50; // a normal and three corners as 12 floats, and 2 bytes of attributes
+
+/**
+ * Reads binary or text STL; a file whose length fits its binary count is binary, whatever its header says. Each
+ * facet gets three vertices of its own. Throws `fileTruncated`, `syntax` or `notFinite`.
+ */
+export function readStl(bytes: Uint8Array): RawSurface {
+  if (!isBinary(bytes)) return readStlText(decodeText(bytes, 'STL'));
+
+  if (bytes.length < kHeader) {
+    throw new DualblockError(
+      'fileTruncated',
+      `the file has ${bytes.length} bytes, a binary STL at least ${kHeader}, and a text STL begins with "solid"; export it again`,
+      [{ kind: 'file', index: 0 }],
+    );
+  }
+  const count = announced(bytes);
+  const complete = Math.floor((bytes.length - kHeader) / kFacet);
+  if (complete < count) {
+    throw new DualblockError(
+      'fileTruncated',
+      `the binary STL announces ${count} facets but ends in facet ${complete} (counted from 0); copy or export it again`,
+      [{ kind: 'facet', index: complete }],
+    );
+  }
+  const end = kHeader + kFacet * count;
+  if (bytes.length > end) {
+    throw new DualblockError(
+      'syntax',
+      `${bytes.length - end} bytes follow the ${count} facets that the binary STL announces; export it again`,
+      [{ kind: 'file', index: 0 }],
+    );
+  }
+  if (count === 0) return { coordinates: new Float64Array(), ends: [], corners: [] };
+
+  const geometry = new STLLoader().parse(bytes.slice().buffer);
+  const coordinates = Float64Array.from(geometry.getAttribute('position').array);
+  const bad = coordinates.findIndex((x) => !Number.isFinite(x));
+  if (bad >= 0) {
+    const facet = Math.floor(bad / 9);
+    throw new DualblockError(
+      'notFinite',
+      `corner ${Math.floor(bad / 3) % 3} of facet ${facet} (both counted from 0) has the coordinate ${coordinates[bad]}; correct or remove the facet`,
+      [{ kind: 'facet', index: facet }],
+    );
+  }
+  return {
+    coordinates,
+    ends: Array.from({ length: count }, (_, i) => 3 * (i + 1)),
+    corners: Array.from({ length: 3 * count }, (_, i) => i),
+  };
+}
+
+function announced(bytes: Uint8Array): number {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(80, true);
+}
+
+function isBinary(bytes: Uint8Array): boolean {
+  if (bytes.length >= kHeader && bytes.length === kHeader + kFacet * announced(bytes)) return true;
+  const start = new TextDecoder().decode(bytes.subarray(0, 512)).trimStart();
+  return !/^solid/i.test(start) || bytes.includes(0);
+}
