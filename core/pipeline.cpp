@@ -4,7 +4,9 @@
 #include <limits>
 #include <optional>
 
+#include "contributions/given_matching.h"
 #include "contributions/repair.h"
+#include "domain/intersections.h"
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
 #include "parts/fallback.h"
@@ -116,6 +118,34 @@ template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coar
   return blocks;
 }
 
+/// Where TetGen refused the domain: looks for two facets that cross, and names them as the input does.
+template <int N> Error nameCulprits(const Error &error, const PreparedDomain<N> &prepared, double tolerance) {
+  const bool mayCross = error.code == ErrorCode::selfIntersection || error.code == ErrorCode::tetgenFailed;
+  if (!mayCross) return error;
+  const auto found = findIntersection(prepared.domain, tolerance * domainSize(prepared.domain.vertices));
+  if (!found) return error;
+  const auto given = [&](Index facet) {
+    const auto at = std::find(prepared.facetOfGiven.begin(), prepared.facetOfGiven.end(), facet);
+    return static_cast<std::int64_t>(at - prepared.facetOfGiven.begin());
+  };
+  std::string where;
+  for (int k = 0; k < N; ++k) where += (k ? ", " : "") + std::to_string(found->where[k]);
+  const std::int64_t a = given(found->facetA);
+  const std::int64_t b = given(found->facetB);
+  return {ErrorCode::selfIntersection,
+          "The boundary crosses itself: facets " + std::to_string(a) + " and " + std::to_string(b) + " meet at (" +
+              where + "), where they share no edge. Make them meet only along shared edges.",
+          {{"facet", a}, {"facet", b}}};
+}
+
+/// The paper's rules on the contributions that the domain itself gives (figure 12).
+void checkMatchingOnly(PipelineResult<2> &r) {
+  const Domain<2> &domain = r.domain.domain;
+  for (const MatchingFault &fault :
+       checkGivenContributions(r.mesh, domain.reference->simplices, domain.contributions))
+    r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
+}
+
 bool any(const std::vector<bool> &flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
 
 } // namespace
@@ -138,10 +168,16 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   fillOptions.planarTolerance = options.tolerance;
   fillOptions.shellsAreClosed = r.domain.shellsAreClosed;
   auto filled = fillDomain(domain, fillOptions);
-  if (!filled.ok()) return filled.error();
+  if (!filled.ok()) return nameCulprits(filled.error(), r.domain, options.tolerance);
   r.mesh = std::move(filled.value().mesh);
   r.remedy = std::move(filled.value().remedy);
   r.fillSimplices = r.mesh.simplexCount();
+
+  if (!domain.contributions.empty()) {
+    r.onlyMatching = true;
+    if constexpr (N == 2) checkMatchingOnly(r);
+    return r;
+  }
 
   // The fallback always works on the coarsest mesh: a refined one would only multiply its blocks.
   std::optional<ReferenceMesh<N>> coarse;
@@ -168,6 +204,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   clock.start("parts", 0.35);
   DecomposeOptions decomposeOptions;
   decomposeOptions.tolerance = 3e-9 * r.mesh.size + 2 * r.domain.deviation;
+  decomposeOptions.flatAngle = 1e-7 + 100 * r.domain.deviation / r.mesh.size;
   decomposeOptions.smoothAngle = options.featureAngle;
   decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
   decomposeOptions.blockLimit = [&] {
@@ -180,11 +217,13 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
 
   std::vector<bool> everyFace;
   std::vector<bool> replace;
-  if (decomposition.gaveUp) r.fallbackReason = "the cut parts would give more blocks than the reference simplices";
-  {
+  if (decomposition.gaveUp) {
+    r.fallbackReason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
+    replace.assign(at(findComponents(r.mesh).count), true);
+  } else {
     const Components<N> components = findComponents(r.mesh);
     std::vector<double> limits;
-    if (decomposition.vertexCuts > 0 || decomposition.gaveUp)
+    if (decomposition.vertexCuts > 0)
       if (const ReferenceMesh<N> *const mesh = needCoarse()) limits = fallbackBlocks(*mesh);
     replace = wantFallback(r, components, limits, r.fallbackReason);
   }

@@ -45,6 +45,7 @@ template <int N> struct PipelineResult {
   Primal<N> primal;
   std::vector<double> quality; // per block: scaled Jacobian
   Certificate certificate;
+  bool onlyMatching = false;   // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;
 };
 

@@ -15,7 +15,8 @@ template <int N> struct PreparedDomain {
   std::vector<std::string> repairs;    // what was changed, each unambiguous, in words
 };
 
-/// tolerance: of planarity and collinearity, relative to the domain's size. Errors: every code in the groups
+/// tolerance: of planarity and collinearity, relative to the domain's size. Neighbours are merged within it;
+/// a facet that the input gives as one may be off its plane by ten times as much. Errors: every code in the groups
 /// "numbers and references" and "the domain" of error_codes.def.
 Result<PreparedDomain<2>> prepareDomain(const Domain<2> &domain, double tolerance);
 Result<PreparedDomain<3>> prepareDomain(const Domain<3> &domain, double tolerance);

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kFlatTolerance = 1e-7; // radians over 180 degrees that still count as flat
+constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 
@@ -98,9 +98,11 @@ Vec<N> intoSide(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Vec<N
 }
 
 template <int N>
-void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options, Index &cuts) {
+void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options,
+                     Index simplexLimit, Index &cuts) {
   for (const Curve<N> &curve : parts.curves) {
-    if (curve.angle <= pi + kFlatTolerance) continue;
+    if (curve.angle <= pi + options.flatAngle) continue;
+    if (mesh.simplexCount() > simplexLimit) return;
     const Index f = parts.sides[at(curve.sides[0])].tag;
     const Index g = parts.sides[at(curve.sides[1])].tag;
     const Index node = curve.ridges.front().front();
@@ -113,8 +115,8 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
       const Vec<N> normal = std::sin(direction) * into + std::cos(direction) * outward;
       Plane<N> plane = planeThrough(mesh.nodes[at(node)], normal);
       // Extending a facet: take its own plane, so that neighbouring curves share it to the last bit.
-      if (std::abs(direction - pi) < kFlatTolerance) plane = mesh.surfaces[at(FaceTag::surface(f))].plane;
-      if (std::abs(direction - (curve.angle - pi)) < kFlatTolerance)
+      if (std::abs(direction - pi) < kSamePlane) plane = mesh.surfaces[at(FaceTag::surface(f))].plane;
+      if (std::abs(direction - (curve.angle - pi)) < kSamePlane)
         plane = mesh.surfaces[at(FaceTag::surface(g))].plane;
       if (isCutAlready(mesh, *ridge, plane, options.tolerance)) continue;
       const Index surface = toIndex(mesh.surfaces.size());
@@ -268,11 +270,18 @@ std::vector<double> sectorPlanes(double angle) {
 
 template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const DecomposeOptions &options) {
   const PartOptions partOptions{options.smoothAngle, nullptr};
+  // Where planes cross so often that they multiply the mesh, the fallback is cheaper and no worse.
+  const Index simplexLimit = 40 * mesh.simplexCount() + 20000;
   Decomposition<N> result;
   result.parts = buildParts(mesh, partOptions);
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.cuts;
-    cutReflexCurves(mesh, result.parts, options, result.cuts);
+    cutReflexCurves(mesh, result.parts, options, simplexLimit, result.cuts);
+    if (mesh.simplexCount() > simplexLimit) {
+      result.gaveUp = true;
+      result.parts = buildParts(mesh, partOptions);
+      return result;
+    }
     if (result.cuts == before) break;
     result.parts = buildParts(mesh, partOptions);
   }
@@ -281,6 +290,8 @@ template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Decomp
       const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                       [](const Corner &c) { return c.sides.size() > 3; });
       if (!needed) break;
+      if (mesh.simplexCount() > simplexLimit) result.gaveUp = true;
+      if (result.gaveUp) break;
       result.gaveUp = blocksExpected(result.parts) > options.blockLimit();
       if (result.gaveUp) break;
       const Index cuts = cutCorners(mesh, result.parts, options);

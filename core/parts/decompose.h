@@ -11,6 +11,7 @@ namespace dualblock {
 struct DecomposeOptions {
   double tolerance;        // nodes nearer to a cutting plane than this count as on it
   double smoothAngle = 0;  // see PartOptions
+  double flatAngle = 1e-7; // radians over 180 degrees that still count as flat
   Index facetSurfaces;     // surfaces below this number are the domain's own facets
   std::function<double()> blockLimit; // give up when the parts would give more blocks than this; asked
                                       // for only where vertices have to be cut
@@ -20,7 +21,7 @@ template <int N> struct Decomposition {
   Parts<N> parts;
   Index cuts = 0;       // split surfaces added
   Index vertexCuts = 0; // those of rule 2
-  bool gaveUp = false; // the block limit or the round limit was reached
+  bool gaveUp = false;  // the block limit was reached, or cuts multiplied the simplices
 };
 
 /// Cuts `mesh` into parts. Reflex curves get the number of sectors that their type asks for (paper 2.4);

@@ -109,6 +109,18 @@ template <int N> Index locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
   return kNone;
 }
 
+template <int N> bool insideBox(const std::vector<Vec<N>> &vertices, const Vec<N> &x) {
+  bool above = true;
+  bool below = true;
+  for (int k = 0; k < N; ++k) {
+    const auto less = [&](const Vec<N> &v) { return v[k] < x[k]; };
+    const auto more = [&](const Vec<N> &v) { return v[k] > x[k]; };
+    above &= std::any_of(vertices.begin(), vertices.end(), less);
+    below &= std::any_of(vertices.begin(), vertices.end(), more);
+  }
+  return above && below;
+}
+
 /// Drops the simplices outside, and tags those that remain.
 template <int N> void keepInside(RawFill<N> &fill, const std::vector<bool> &inside, const std::vector<Index> &cell) {
   ReferenceMesh<N> &mesh = fill.mesh;
@@ -191,11 +203,12 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   std::vector<bool> inside = insideCells(contacts, cellCount, options.shellsAreClosed && !domain.reference);
   for (std::size_t h = 0; h < domain.holes.size(); ++h) {
     const Index s = locate(mesh, domain.holes[h]);
-    if (s == kNone)
+    if (s == kNone && !insideBox(domain.vertices, domain.holes[h]))
       return Error{ErrorCode::holeOutside,
-                   "Hole " + std::to_string(h) + " lies outside everything that the facets enclose: move its point "
-                   "into the cavity, or remove it.",
+                   "Hole " + std::to_string(h) + " lies outside the domain: move its point into the cavity, or "
+                   "remove it.",
                    {{"hole", static_cast<std::int64_t>(h)}}};
+    if (s == kNone) continue; // a pocket that is open to the outside is empty anyway
     inside[at(cell[at(s)])] = false;
   }
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {

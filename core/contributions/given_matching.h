@@ -1,0 +1,26 @@
+// The paper's 2D matching rules (4.3) on contributions given one by one, hard or soft, whatever made them.
+#pragma once
+
+#include <string>
+
+#include "domain/domain.h"
+#include "reference/reference_mesh.h"
+
+namespace dualblock {
+
+/// A place where the rules are broken: on the edge between two nodes, at the point near the first.
+struct MatchingFault {
+  Index near, far;
+  int hard; // hard contributions that arrive there, with those of the points that soft ones collapse it with
+  std::string message;
+};
+
+/// Checks every matching point. A contribution touches an edge of its triangle at the point near node a when
+/// its subset holds a but not the edge's other node. At an inner point as many hard contributions must arrive
+/// from the left as from the right. Soft contributions collapse the points that they join into one virtual
+/// point, where two or four hard ones must arrive. A boundary point takes one hard contribution or none.
+std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
+                                                   const std::vector<std::array<Index, 3>> &triangles,
+                                                   const std::vector<GivenContribution> &contributions);
+
+} // namespace dualblock

@@ -1,0 +1,198 @@
+#include "domain/merge_facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/disjoint_sets.h"
+#include "domain/polygon.h"
+
+namespace dualblock {
+namespace {
+
+/// The plane of a growing group of facets, by area.
+struct GroupPlane {
+  Vec<3> area{0.0};   // twice the vector area
+  Vec<3> moment{0.0}; // sum of corners
+  double corners = 0;
+
+  void add(const std::vector<Vec<3>> &vertices, const Facet &facet) {
+    area += areaVector(vertices, facet);
+    for (const auto &loop : facet.loops)
+      for (const Index v : loop) {
+        moment += vertices[at(v)];
+        corners += 1;
+      }
+  }
+  Plane<3> plane() const { return planeThrough(moment / corners, area); }
+};
+
+/// Boundary edges of a group of facets, chained into loops; at a vertex where several loops touch, the next
+/// edge is the first one clockwise, so that loops do not cross.
+std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
+                                              const std::vector<Index> &group, const Vec<3> &normal) {
+  std::map<std::pair<Index, Index>, int> directed;
+  for (const Index f : group)
+    for (const auto &loop : facets[at(f)].loops)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Index a = loop[k];
+        const Index b = loop[(k + 1) % loop.size()];
+        if (const auto back = directed.find({b, a}); back != directed.end()) directed.erase(back);
+        else directed[{a, b}] = 1;
+      }
+  std::map<Index, std::vector<Index>> next;
+  for (const auto &[edge, count] : directed) next[edge.first].push_back(edge.second);
+  const PlaneBasis basis(normal);
+  std::vector<std::vector<Index>> loops;
+  while (!next.empty()) {
+    std::vector<Index> loop;
+    Index previous = kNone;
+    Index here = next.begin()->first;
+    const Index first = here;
+    do {
+      loop.push_back(here);
+      auto &choices = next[here];
+      std::size_t best = 0;
+      if (choices.size() > 1 && previous != kNone) {
+        const auto angleTo = [&](Index v) {
+          const Vec<2> d = basis.project(vertices[at(v)] - vertices[at(here)]);
+          return std::atan2(d.y, d.x);
+        };
+        const double from = angleTo(previous);
+        double smallest = 1e9;
+        for (std::size_t c = 0; c < choices.size(); ++c) {
+          double turn = from - angleTo(choices[c]); // clockwise from the way we came
+          while (turn <= 1e-12) turn += 2 * 3.14159265358979323846;
+          if (turn < smallest) {
+            smallest = turn;
+            best = c;
+          }
+        }
+      }
+      const Index to = choices[best];
+      choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(best));
+      if (choices.empty()) next.erase(here);
+      previous = here;
+      here = to;
+    } while (here != first && next.count(here));
+    loops.push_back(std::move(loop));
+  }
+  // The outer loop has the largest area.
+  const auto area = [&](const std::vector<Index> &loop) {
+    std::vector<Vec<2>> polygon;
+    for (const Index v : loop) polygon.push_back(basis.project(vertices[at(v)]));
+    return polygonArea2(polygon);
+  };
+  std::stable_sort(loops.begin(), loops.end(),
+                   [&](const auto &a, const auto &b) { return area(a) > area(b); });
+  return loops;
+}
+
+} // namespace
+
+std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
+  std::vector<EdgeUse> uses;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const auto &loop : facets[f].loops)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Index a = loop[k];
+        const Index b = loop[(k + 1) % loop.size()];
+        uses.push_back({sortedPair(a, b), toIndex(f), a < b});
+      }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse &a, const EdgeUse &b) {
+    return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet;
+  });
+  return uses;
+}
+
+MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets, double tolerance) {
+  const std::vector<EdgeUse> uses = edgeUses(facets);
+  std::vector<std::vector<Index>> neighbours(facets.size());
+  for (std::size_t u = 0; u + 1 < uses.size(); ++u) {
+    const bool pair = uses[u].nodes == uses[u + 1].nodes && (u == 0 || uses[u - 1].nodes != uses[u].nodes) &&
+                      (u + 2 == uses.size() || uses[u + 2].nodes != uses[u].nodes);
+    if (!pair || uses[u].forward == uses[u + 1].forward) continue;
+    neighbours[at(uses[u].facet)].push_back(uses[u + 1].facet);
+    neighbours[at(uses[u + 1].facet)].push_back(uses[u].facet);
+  }
+  std::vector<double> size(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) size[f] = glm::length(areaVector(vertices, facets[f]));
+  std::vector<Index> order(facets.size());
+  for (std::size_t f = 0; f < order.size(); ++f) order[f] = toIndex(f);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return size[at(a)] > size[at(b)]; });
+
+  // Grow groups from the largest facets; their normals are the best known.
+  std::vector<Index> groupOf(facets.size(), kNone);
+  std::vector<std::vector<Index>> groups;
+  for (const Index seed : order) {
+    if (groupOf[at(seed)] != kNone) continue;
+    const Index g = toIndex(groups.size());
+    std::vector<Index> group{seed};
+    groupOf[at(seed)] = g;
+    GroupPlane plane;
+    plane.add(vertices, facets[at(seed)]);
+    for (std::size_t head = 0; head < group.size(); ++head)
+      for (const Index n : neighbours[at(group[head])]) {
+        if (groupOf[at(n)] != kNone) continue;
+        const Plane<3> p = plane.plane();
+        const Vec<3> area = areaVector(vertices, facets[at(n)]);
+        const bool alike = glm::dot(area, p.normal) > 0.9 * glm::length(area);
+        if (!alike || deviation<3>(vertices, facets[at(n)], p) > tolerance) continue;
+        groupOf[at(n)] = g;
+        group.push_back(n);
+        plane.add(vertices, facets[at(n)]);
+      }
+    groups.push_back(std::move(group));
+  }
+
+  MergedFacets merged;
+  merged.facetOfGiven.assign(facets.size(), kNone);
+  // In the order of their lowest facet, so that untouched domains keep their numbering.
+  for (auto &group : groups) std::sort(group.begin(), group.end());
+  std::sort(groups.begin(), groups.end());
+  for (const auto &group : groups) {
+    GroupPlane plane;
+    for (const Index f : group) plane.add(vertices, facets[at(f)]);
+    bool flat = group.size() > 1;
+    for (const Index f : group) flat &= deviation<3>(vertices, facets[at(f)], plane.plane()) <= 2 * tolerance;
+    std::vector<std::vector<Index>> loops;
+    if (flat) loops = boundaryLoops(vertices, facets, group, plane.plane().normal);
+    if (!flat || loops.empty()) {
+      for (const Index f : group) {
+        merged.facetOfGiven[at(f)] = toIndex(merged.facets.size());
+        merged.facets.push_back(facets[at(f)]);
+      }
+      continue;
+    }
+    for (const Index f : group) merged.facetOfGiven[at(f)] = toIndex(merged.facets.size());
+    merged.facets.push_back({std::move(loops)});
+  }
+  return merged;
+}
+
+void dropStraightVertices(const std::vector<Vec<3>> &vertices, std::vector<Facet> &facets, double tolerance) {
+  const std::vector<EdgeUse> uses = edgeUses(facets);
+  std::vector<std::array<Index, 3>> ends(vertices.size(), {kNone, kNone, 0}); // two neighbours, and the degree
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    if (u > 0 && uses[u].nodes == uses[u - 1].nodes) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      auto &e = ends[at(uses[u].nodes[k])];
+      if (e[2] < 2) e[at(e[2])] = uses[u].nodes[1 - k];
+      ++e[2];
+    }
+  }
+  std::vector<bool> straight(vertices.size(), false);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (ends[v][2] != 2) continue;
+    const Vec<3> a = vertices[at(ends[v][0])];
+    const Vec<3> b = vertices[at(ends[v][1])];
+    const double length = glm::length(b - a);
+    if (length <= tolerance || glm::dot(vertices[v] - a, b - vertices[v]) <= 0) continue;
+    straight[v] = glm::length(glm::cross(vertices[v] - a, b - a)) / length <= tolerance;
+  }
+  for (Facet &facet : facets)
+    for (auto &loop : facet.loops)
+      loop.erase(std::remove_if(loop.begin(), loop.end(), [&](Index v) { return straight[at(v)]; }), loop.end());
+}
+
+} // namespace dualblock

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <set>
+
+#include "domain/merge_facets.h"
+#include "domain/polygon.h"
+#include "domain/prepare.h"
+#include "domain/prepare_common.h"
+
+namespace dualblock {
+namespace {
+
+/// Facets that the input itself calls planar may be off by this many tolerances: files often hold six digits.
+constexpr double kGivenSlack = 10;
+
+std::vector<EntityRef> facetEntity(std::size_t f) { return {{"facet", static_cast<std::int64_t>(f)}}; }
+
+std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
+  if (domain.facets.size() < 4)
+    return Error{ErrorCode::tooFewFacets,
+                 "The domain has " + std::to_string(domain.facets.size()) + " facets; a solid needs at least 4.",
+                 {}};
+  std::set<std::vector<Index>> seen;
+  for (std::size_t f = 0; f < domain.facets.size(); ++f) {
+    const std::string name = "Facet " + std::to_string(f);
+    std::vector<Index> corners;
+    for (const auto &loop : domain.facets[f].loops) {
+      if (loop.size() < 3)
+        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.", facetEntity(f)};
+      corners.insert(corners.end(), loop.begin(), loop.end());
+    }
+    std::sort(corners.begin(), corners.end());
+    if (const auto twice = std::adjacent_find(corners.begin(), corners.end()); twice != corners.end())
+      return Error{ErrorCode::degenerateFacet,
+                   name + " uses vertex " + std::to_string(*twice) + " twice: give each loop its corners once.",
+                   facetEntity(f)};
+    const Vec<3> area = areaVector(domain.vertices, domain.facets[f]);
+    double perimeter = 0;
+    for (const auto &loop : domain.facets[f].loops)
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        perimeter += glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
+    if (!(glm::length(area) > tolerance * perimeter))
+      return Error{ErrorCode::degenerateFacet,
+                   name + " has no area: remove it, and join the facets on both sides of it.", facetEntity(f)};
+    if (!seen.insert(corners).second)
+      return Error{ErrorCode::duplicateFacet, name + " has the same corners as an earlier facet: remove one of them.",
+                   facetEntity(f)};
+    const double off = deviation<3>(domain.vertices, domain.facets[f], facetPlane<3>(domain.vertices, domain.facets[f]));
+    if (off > kGivenSlack * tolerance)
+      return Error{ErrorCode::nonPlanarFacet,
+                   name + " is not planar: a corner lies " + formatNumber(off) + " off its plane, more than the " +
+                       formatNumber(kGivenSlack * tolerance) + " allowed. Triangulate it, or raise the tolerance.",
+                   facetEntity(f)};
+  }
+  return std::nullopt;
+}
+
+/// Gives vertices with equal coordinates one number. Files that repeat a vertex per facet are common, and
+/// equal coordinates leave no doubt.
+void mergeEqualVertices(PreparedDomain<3> &prepared) {
+  Domain<3> &domain = prepared.domain;
+  if (domain.reference) return; // its nodes are numbered like the vertices
+  std::vector<Index> order(domain.vertices.size());
+  for (std::size_t v = 0; v < order.size(); ++v) order[v] = toIndex(v);
+  const auto key = [&](Index v) {
+    const Vec<3> &x = domain.vertices[at(v)];
+    return std::array<double, 3>{x.x, x.y, x.z};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  std::vector<Index> first(order.size());
+  Index merged = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && key(order[k]) == key(order[k - 1]);
+    first[at(order[k])] = same ? first[at(order[k - 1])] : order[k];
+    merged += same ? 1 : 0;
+  }
+  if (merged == 0) return;
+  prepared.repairs.push_back(std::to_string(merged) + " vertices with the coordinates of another were merged with it");
+  for (Facet &facet : domain.facets)
+    for (auto &loop : facet.loops)
+      for (Index &v : loop) v = first[at(v)];
+}
+
+/// Every edge must belong to at least two facets. Sets shellsAreClosed.
+std::optional<Error> checkClosed(PreparedDomain<3> &prepared) {
+  const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
+    if (end - begin == 1)
+      return Error{ErrorCode::openBoundary,
+                   "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
+                       " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
+                       std::to_string(uses[begin].facet) + " only. Close the gap, or merge vertices that should be one.",
+                   {{"facet", uses[begin].facet}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
+    if (end - begin != 2) prepared.shellsAreClosed = false;
+  }
+  return std::nullopt;
+}
+
+/// Makes neighbours run through their common edge in opposite directions, shell by shell, turning as few
+/// facets as possible. Only meaningful where every edge has two facets.
+void orientShells(PreparedDomain<3> &prepared) {
+  std::vector<Facet> &facets = prepared.domain.facets;
+  const std::vector<EdgeUse> uses = edgeUses(facets);
+  std::vector<std::vector<std::pair<Index, bool>>> neighbours(facets.size()); // facet, agrees
+  for (std::size_t u = 0; u + 1 < uses.size(); u += 2) {
+    const bool agrees = uses[u].forward != uses[u + 1].forward;
+    neighbours[at(uses[u].facet)].emplace_back(uses[u + 1].facet, agrees);
+    neighbours[at(uses[u + 1].facet)].emplace_back(uses[u].facet, agrees);
+  }
+  std::vector<int> turn(facets.size(), -1);
+  Index turned = 0;
+  for (std::size_t seed = 0; seed < facets.size(); ++seed) {
+    if (turn[seed] >= 0) continue;
+    std::vector<Index> shell{toIndex(seed)};
+    turn[seed] = 0;
+    std::size_t flips = 0;
+    for (std::size_t head = 0; head < shell.size(); ++head)
+      for (const auto &[n, agrees] : neighbours[at(shell[head])]) {
+        if (turn[at(n)] >= 0) continue;
+        turn[at(n)] = agrees ? turn[at(shell[head])] : 1 - turn[at(shell[head])];
+        flips += turn[at(n)] == 1 ? 1 : 0;
+        shell.push_back(n);
+      }
+    const bool invert = 2 * flips > shell.size();
+    for (const Index f : shell) {
+      if ((turn[at(f)] == 1) == invert) continue;
+      for (auto &loop : facets[at(f)].loops) std::reverse(loop.begin(), loop.end());
+      ++turned;
+    }
+  }
+  if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " facets were turned round");
+}
+
+} // namespace
+
+Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance) {
+  if (auto error = checkNumbers(given)) return *error;
+  const double allowed = tolerance * domainSize(given.vertices);
+  PreparedDomain<3> prepared;
+  prepared.domain = given;
+  mergeEqualVertices(prepared);
+  if (auto error = checkFacets(prepared.domain, allowed)) return *error;
+  if (auto error = checkClosed(prepared)) return *error;
+  if (prepared.shellsAreClosed) orientShells(prepared);
+  MergedFacets merged = mergeCoplanar(given.vertices, prepared.domain.facets, allowed);
+  dropStraightVertices(given.vertices, merged.facets, allowed);
+  prepared.domain.facets = std::move(merged.facets);
+  prepared.facetOfGiven = std::move(merged.facetOfGiven);
+  for (const Facet &facet : prepared.domain.facets)
+    prepared.deviation =
+        std::max(prepared.deviation, deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));
+  compactVertices(prepared);
+  return prepared;
+}
+
+} // namespace dualblock

@@ -1,0 +1,90 @@
+// The typed module around the core: the same in the page, in a worker and in Node.
+import createDualblock, { type CoreModule } from './build/dualblock.mjs';
+import { DualblockError } from './io/errors.ts';
+import { readSurface, type SurfaceFormat } from './io/surface-readers.ts';
+import type { CoreError, RunResult } from './result.ts';
+
+export interface Settings {
+  /** Longest edge of the reference mesh, in the units of the input; 0 for the coarsest. */
+  edgeLength: number;
+  /** Over 0: vary the reference mesh at random; 0 to 2^32 - 1. */
+  seed: number;
+  /** Of planarity, relative to the size of the domain. */
+  tolerance: number;
+  /** Degrees: facets that meet at less than this from flat form one side. */
+  featureAngle: number;
+}
+
+export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 0 };
+
+export type Progress = (stage: string, done: number) => void;
+
+/** File name extensions that can be loaded. */
+export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;
+export type InputFormat = (typeof inputFormats)[number];
+
+/** The format that a file's name announces. Throws `formatUnknown`. */
+export function formatOf(fileName: string): InputFormat {
+  const extension = fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
+  const format = inputFormats.find((f) => f === extension);
+  if (format) return format;
+  const known = inputFormats.map((f) => `.${f}`).join(' ');
+  throw new DualblockError('formatUnknown', `${fileName} has an unknown extension: use one of ${known}.`, [
+    { kind: 'file', index: 0 },
+  ]);
+}
+
+const surfaceFormats: readonly string[] = ['stl', 'obj', 'ply'] satisfies SurfaceFormat[];
+const raise = (error: CoreError): never => {
+  throw new DualblockError(error.code, error.message, error.entities);
+};
+
+/** A domain at a time, and runs on it. Call dispose() when done: the core's memory is not collected by itself. */
+export class Dualblock {
+  private readonly module: CoreModule;
+  private readonly session;
+
+  private constructor(module: CoreModule) {
+    this.module = module;
+    this.session = new module.Session();
+  }
+
+  /** Starts the core. In Node, pass the bytes of dualblock.wasm; a browser finds them by itself. */
+  static async create(options: { wasmBinary?: Uint8Array } = {}): Promise<Dualblock> {
+    return new Dualblock(await createDualblock({ ...options, print: () => {} }));
+  }
+
+  /**
+   * Loads a domain from a file's bytes; `name` gives the format by its extension. Throws a DualblockError and keeps the
+   * domain loaded before.
+   */
+  load(name: string, bytes: Uint8Array): void {
+    const format = formatOf(name);
+    const answer = surfaceFormats.includes(format)
+      ? this.loadSurface(format as SurfaceFormat, bytes)
+      : this.session.load(format, bytes);
+    if (!answer.ok) raise(answer.error);
+    if (format !== 'json') this.session.setName(name.replace(/^.*[\\/]/, '').replace(/\.[^.]*$/, ''));
+  }
+
+  /** Runs every stage on the loaded domain. Throws a DualblockError for bad input. */
+  run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
+    const { featureAngle, ...rest } = { ...defaultSettings, ...settings };
+    const answer = this.session.run({ ...rest, featureAngle: (featureAngle * Math.PI) / 180 }, progress);
+    return answer.ok ? answer : raise(answer.error);
+  }
+
+  /** Bytes of the core's memory: all that it ever needed, and what is in use now. */
+  memory(): { peak: number; inUse: number } {
+    return { peak: this.module.HEAPU8.length, inUse: this.module.heapInUse() };
+  }
+
+  dispose(): void {
+    this.session.delete();
+  }
+
+  private loadSurface(format: SurfaceFormat, bytes: Uint8Array) {
+    const { points, polygons } = readSurface(format, bytes);
+    return this.session.loadSurface(points, polygons.offsets, polygons.corners);
+  }
+}

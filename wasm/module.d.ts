@@ -1,0 +1,33 @@
+// What wasm/bindings.cpp exports. The generated module has no declarations of its own.
+declare module '*/build/dualblock.mjs' {
+  import type { LoadAnswer, RunAnswer } from './result.ts';
+
+  export interface RawSettings {
+    edgeLength: number;
+    seed: number;
+    tolerance: number;
+    featureAngle: number;
+  }
+
+  export interface RawSession {
+    load(format: string, bytes: Uint8Array): LoadAnswer;
+    loadSurface(points: Float64Array, offsets: Int32Array, corners: Int32Array): LoadAnswer;
+    setName(name: string): void;
+    run(settings: RawSettings, progress: ((stage: string, done: number) => void) | null): RunAnswer;
+    delete(): void;
+  }
+
+  export interface CoreModule {
+    Session: new () => RawSession;
+    /** Bytes that the core has allocated at this moment. */
+    heapInUse(): number;
+    /** The whole WebAssembly memory; it grows and never shrinks. */
+    HEAPU8: Uint8Array;
+  }
+
+  export default function createDualblock(options?: {
+    wasmBinary?: Uint8Array | ArrayBuffer;
+    /** TetGen prints what it finds wrong, even when asked to be quiet. */
+    print?: (line: string) => void;
+  }): Promise<CoreModule>;
+}

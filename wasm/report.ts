@@ -1,0 +1,124 @@
+// The report of a run (format "dualblock-report/1"): what every script that calls dualblock depends on.
+import { version } from '../package.json';
+import type { Settings } from './dualblock.ts';
+import type { CoreError, RunResult } from './result.ts';
+
+export const reportFormat = 'dualblock-report/1';
+export const featureKinds = ['end', 'side', 'corner', 'reversal'] as const;
+const histogramBins = 20;
+
+export interface FeatureTally {
+  kind: (typeof featureKinds)[number];
+  ideal: number;
+  /** Fewest blocks at any place of the curve. */
+  actual: number;
+  curves: number;
+}
+
+/** A run's result as a plain object, ready for JSON. `memory` is the core's peak in bytes. */
+export function makeReport(result: RunResult, settings: Settings, memory: number) {
+  const { domain, reference, parts, contributions, primal, certificate } = result;
+  return {
+    format: reportFormat,
+    version,
+    settings,
+    input: {
+      name: result.name,
+      dimension: result.dimension,
+      vertices: domain.vertices.length / result.dimension,
+      facets: domain.facetOffsets.length - 1,
+      regions: domain.regions,
+      repairs: domain.repairs,
+    },
+    reference: {
+      nodes: reference.nodes.length / result.dimension,
+      simplices: reference.simplices.length / (result.dimension + 1),
+      filled: reference.filled,
+      cuts: reference.cuts,
+      repairs: reference.repairs,
+      refinement: settings.edgeLength > 0 ? settings.edgeLength : 'coarse',
+      remedy: reference.remedy,
+    },
+    parts: {
+      count: parts.count,
+      fallback: parts.fallbackComponents > 0,
+      fallbackComponents: parts.fallbackComponents,
+      fallbackReason: parts.fallbackReason,
+    },
+    contributions: { hard: contributions.hardCount, soft: contributions.softCount },
+    dual: { surfaces: contributions.surfaces, cells: contributions.cells },
+    primal: {
+      nodes: primal.positions.length / result.dimension,
+      edges: primal.edges.length / 2,
+      faces: primal.faces.length / 4,
+      blocks: primal.quality.length,
+    },
+    certificate,
+    features: tallyFeatures(result),
+    quality: { scaledJacobian: summarize(primal.quality) },
+    timings: result.timings,
+    peakMemory: memory,
+  };
+}
+export type Report = ReturnType<typeof makeReport>;
+
+/** The report of a run that an error ended: what was asked, and the error. */
+export function makeErrorReport(name: string, settings: Settings, error: CoreError) {
+  return { format: reportFormat, version, settings, input: { name }, error };
+}
+
+/** Curves of the domain by kind and by the blocks around them, most ideal blocks last. */
+export function tallyFeatures({ features }: RunResult): FeatureTally[] {
+  const tally = new Map<string, FeatureTally>();
+  features.ideal.forEach((ideal, k) => {
+    const actual = features.actual[k] ?? 0;
+    const kind = featureKinds[ideal - 1] ?? 'end';
+    const row = tally.get(`${ideal} ${actual}`) ?? { kind, ideal, actual, curves: 0 };
+    row.curves += 1;
+    tally.set(`${ideal} ${actual}`, row);
+  });
+  return [...tally.values()].sort((a, b) => a.ideal - b.ideal || a.actual - b.actual);
+}
+
+/** Minimum, mean and a histogram of equal bins from -1 to 1; null where there is nothing to measure. */
+export function summarize(values: Float64Array) {
+  if (values.length === 0) return null;
+  const histogram = new Array<number>(histogramBins).fill(0);
+  let min = Number.POSITIVE_INFINITY;
+  let sum = 0;
+  for (const v of values) {
+    min = Math.min(min, v);
+    sum += v;
+    const bin = Math.min(histogramBins - 1, Math.max(0, Math.floor(((v + 1) / 2) * histogramBins)));
+    histogram[bin] = (histogram[bin] ?? 0) + 1;
+  }
+  return { min, mean: sum / values.length, histogram };
+}
+
+/** The report in a few lines for people. */
+export function describe(report: Report): string {
+  const { input, reference, parts, primal, certificate } = report;
+  if (primal.blocks === 0 && certificate.cells === null) return describeMatching(report);
+  const kind = input.dimension === 2 ? 'quadrilaterals' : 'hexahedra';
+  const split = parts.fallback
+    ? `${parts.count} parts, by the fallback (${parts.fallbackReason})`
+    : `${parts.count} part(s)`;
+  const quality = report.quality.scaledJacobian;
+  return [
+    `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
+    `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
+    quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
+    certificate.valid ? '  certified: matching, cells, topology, geometry, features' : '  NOT VALID:',
+    ...certificate.failures.map((f) => `    ${f.check}: ${f.message}`),
+  ]
+    .filter((line) => line !== '')
+    .join('\n');
+}
+
+function describeMatching({ input, certificate }: Report): string {
+  const verdict = certificate.valid ? 'match (paper 4.3)' : 'do not match:';
+  return [
+    `${input.name}: the given contributions ${verdict}`,
+    ...certificate.failures.map((f) => `    ${f.message}`),
+  ].join('\n');
+}

@@ -1,0 +1,117 @@
+// What the core hands back: every stage's result in typed arrays that own their memory. Ids count from 0, -1
+// stands for none. A "tag" is 2 * surface, plus 1 where the simplex lies in front of the surface.
+import type { ErrorCode } from './error-codes.ts';
+import type { EntityReference } from './io/errors.ts';
+
+export interface CoreError {
+  code: ErrorCode;
+  message: string;
+  entities: EntityReference[];
+}
+export type LoadAnswer = { ok: true } | { ok: false; error: CoreError };
+export type RunAnswer = (RunResult & { ok: true }) | { ok: false; error: CoreError };
+
+export type Check = 'matching' | 'cells' | 'topology' | 'geometry' | 'features';
+
+export interface Certificate extends Record<Check, boolean | null> {
+  /** True when every check passed; null checks were not run (a domain with contributions of its own). */
+  valid: boolean;
+  failures: { check: Check; message: string; entities: EntityReference[] }[];
+  /** Area or volume of the domain, from its facets, and of the blocks. */
+  domainMeasure: number;
+  meshMeasure: number;
+  /** The smallest Bezier coefficient of a block's Jacobian over that block's largest. */
+  worstCoefficient: number;
+}
+
+export interface RunResult {
+  dimension: 2 | 3;
+  name: string;
+  title: string;
+  figure: string;
+  /** The domain gave its own contributions: only their matching was checked. */
+  onlyMatching: boolean;
+  /** The domain after merging: facets as large as they are planar. */
+  domain: {
+    vertices: Float64Array;
+    givenVertex: Int32Array;
+    facetOfGiven: Int32Array;
+    facetOffsets: Int32Array;
+    loopOffsets: Int32Array;
+    loopVertices: Int32Array;
+    regions: number;
+    deviation: number;
+    repairs: string[];
+  };
+  /** Curves (2D: vertices) of the domain, by the ridges of the uncut reference mesh that they run along. */
+  features: {
+    nodes: Float64Array;
+    ridgeOffsets: Int32Array;
+    ridgeNodes: Int32Array;
+    angle: Float64Array;
+    facets: Int32Array;
+    /** Blocks that should meet along the curve: 1 end, 2 side, 3 corner, 4 reversal (paper 2.4). */
+    ideal: Uint8Array;
+    actual: Int32Array;
+    vertices: Int32Array;
+  };
+  reference: {
+    nodes: Float64Array;
+    simplices: Int32Array;
+    neighbors: Int32Array;
+    tags: Int32Array;
+    region: Int32Array;
+    /** 0 facet, 1 cut at a reflex curve, 2 cut at a vertex, 3 faces of simplices. */
+    surfaceKind: Uint8Array;
+    surfaceSource: Int32Array;
+    filled: number;
+    remedy: string;
+    cuts: number;
+    repairs: number;
+  };
+  parts: {
+    count: number;
+    fallbackComponents: number;
+    fallbackReason: string;
+    region: Int32Array;
+    ofSimplex: Int32Array;
+    sidePart: Int32Array;
+    sideTag: Int32Array;
+    sideOpposite: Int32Array;
+  };
+  /** Contributions per simplex (offsets), and the dual that they make. */
+  contributions: {
+    hardCount: number;
+    softCount: number;
+    offsets: Int32Array;
+    side: Int32Array;
+    mask: Uint8Array;
+    /** Per simplex, bit m: the contribution of vertex mask m is soft. */
+    soft: Uint16Array;
+    surfaceOfSide: Int32Array;
+    surfaces: number;
+    cells: number;
+    classOffset: Int32Array;
+    pieceOfClass: Int32Array;
+    piecePart: Int32Array;
+    pieceCell: Int32Array;
+    pieceSides: Int32Array;
+  };
+  primal: {
+    positions: Float64Array;
+    nodePiece: Int32Array;
+    edges: Int32Array;
+    edgeSurface: Int32Array;
+    faces: Int32Array;
+    faceSurfaces: Int32Array;
+    blocks: Int32Array;
+    blockPart: Int32Array;
+    blockSides: Int32Array;
+    quality: Float64Array;
+    boundaryFaces: Int32Array;
+    boundaryFacet: Int32Array;
+  };
+  certificate: Certificate;
+  /** Milliseconds per stage. */
+  timings: Record<string, number>;
+}
