@@ -18,10 +18,17 @@ constexpr int kRepairRounds = 12;
 
 class StageClock {
 public:
-  StageClock(const Progress &progress, std::vector<StageTime> &timings) : progress_(progress), timings_(timings) {}
+  StageClock(const Progress &progress, std::vector<StageTime> &timings)
+      : progress_(progress), timings_(timings) {}
   StageClock(const StageClock &) = delete;
   StageClock &operator=(const StageClock &) = delete;
-  ~StageClock() { stop(); }
+
+  /// Moves time of the running stage to one that was measured inside it.
+  void credit(const char *stage, double milliseconds) {
+    timings_.push_back({stage, milliseconds});
+    begin_ += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double, std::milli>(milliseconds));
+  }
 
   void start(const char *stage, double done) {
     stop();
@@ -30,10 +37,11 @@ public:
     begin_ = std::chrono::steady_clock::now();
   }
 
-private:
+  /// Ends the running stage.
   void stop() {
     if (!stage_) return;
-    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
     auto known = timings_.begin();
     while (known != timings_.end() && known->stage != stage_) ++known;
     if (known == timings_.end()) timings_.push_back({stage_, ms});
@@ -41,6 +49,7 @@ private:
     stage_ = nullptr;
   }
 
+private:
   const Progress &progress_;
   std::vector<StageTime> &timings_;
   const char *stage_ = nullptr;
@@ -50,7 +59,8 @@ private:
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
 /// False if they cannot be made to hold.
 template <int N>
-bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector<bool> &everyFace, StageClock &clock) {
+bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector<bool> &everyFace,
+               StageClock &clock) {
   for (int round = 0; round < kRepairRounds; ++round) {
     clock.start("contributions", 0.5);
     r.contributions = assignContributions(r.mesh, r.parts);
@@ -84,8 +94,8 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
   for (const Block<N> &block : r.primal.blocks)
     r.quality.push_back(scaledJacobian<N>(cornersOf<N>(block.nodes, r.primal.positions)));
   clock.start("certificate", 0.9);
-  r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions, r.dual,
-                              r.surfaces, r.primal, r.domain.deviation});
+  r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
+                              r.dual, r.surfaces, r.primal, r.domain.deviation});
 }
 
 /// Components whose parts are not simple, or give more blocks than the fallback would.
@@ -133,8 +143,8 @@ template <int N> Error nameCulprits(const Error &error, const PreparedDomain<N> 
   const std::int64_t a = given(found->facetA);
   const std::int64_t b = given(found->facetB);
   return {ErrorCode::selfIntersection,
-          "The boundary crosses itself: facets " + std::to_string(a) + " and " + std::to_string(b) + " meet at (" +
-              where + "), where they share no edge. Make them meet only along shared edges.",
+          "The boundary crosses itself: facets " + std::to_string(a) + " and " + std::to_string(b) +
+              " meet at (" + where + "), where they share no edge. Make them meet only along shared edges.",
           {{"facet", a}, {"facet", b}}};
 }
 
@@ -146,7 +156,9 @@ void checkMatchingOnly(PipelineResult<2> &r) {
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
 }
 
-bool any(const std::vector<bool> &flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+bool any(const std::vector<bool> &flags) {
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
 
 } // namespace
 
@@ -170,12 +182,14 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   auto filled = fillDomain(domain, fillOptions);
   if (!filled.ok()) return nameCulprits(filled.error(), r.domain, options.tolerance);
   r.mesh = std::move(filled.value().mesh);
+  clock.credit("tetgen", filled.value().tetgenMilliseconds);
   r.remedy = std::move(filled.value().remedy);
   r.fillSimplices = r.mesh.simplexCount();
 
   if (!domain.contributions.empty()) {
     r.onlyMatching = true;
     if constexpr (N == 2) checkMatchingOnly(r);
+    clock.stop();
     return r;
   }
 
@@ -211,14 +225,18 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
     const ReferenceMesh<N> *const mesh = needCoarse();
     return mesh ? (N + 1.0) * mesh->simplexCount() : std::numeric_limits<double>::infinity();
   };
-  Decomposition<N> decomposition = decompose(r.mesh, decomposeOptions);
+  Decomposition<N> decomposition = decompose(r.mesh, r.features, decomposeOptions);
   r.parts = std::move(decomposition.parts);
   r.cuts = decomposition.cuts;
+  r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
+  r.features.nodeSides = {};
+  r.features.sideFaces = {};
 
   std::vector<bool> everyFace;
   std::vector<bool> replace;
   if (decomposition.gaveUp) {
-    r.fallbackReason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
+    r.fallbackReason =
+        "cuts would give more blocks, or many times more simplices, than the reference mesh has";
     replace.assign(at(findComponents(r.mesh).count), true);
   } else {
     const Components<N> components = findComponents(r.mesh);
@@ -233,7 +251,8 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
     if (done) {
       buildResult(r, clock);
       done = r.certificate.valid;
-      if (!done) r.fallbackReason = "the cut parts did not pass the certificate: " + r.certificate.failures[0].message;
+      if (!done)
+        r.fallbackReason = "the cut parts did not pass the certificate: " + r.certificate.failures[0].message;
     } else {
       r.fallbackReason = "repairs of the reference mesh did not end";
     }
@@ -248,7 +267,8 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       r.mesh = std::move(fallback.mesh);
       everyFace = std::move(fallback.everyFace);
       partOptions.everyFace = &everyFace;
-      r.fallbackComponents = toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
+      r.fallbackComponents =
+          toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
       clock.start("parts", 0.45);
       r.parts = buildParts(r.mesh, partOptions);
       if (buildDual(r, partOptions, everyFace, clock)) buildResult(r, clock);
@@ -257,6 +277,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       return *coarseError;
     }
   }
+  clock.stop();
   return r;
 }
 

@@ -11,10 +11,10 @@
 namespace dualblock {
 
 struct PipelineOptions {
-  double edgeLength = 0;    // of the reference mesh; 0: as coarse as TetGen makes it
-  std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
-  double tolerance = 1e-6;  // of planarity, relative to the domain's size
-  double featureAngle = 0;  // radians: facets that meet at less than this from flat form one side
+  double edgeLength = 0;   // of the reference mesh; 0: as coarse as TetGen makes it
+  std::uint32_t seed = 0;  // > 0: vary the reference mesh at random
+  double tolerance = 1e-6; // of planarity, relative to the domain's size
+  double featureAngle = 0; // radians: facets that meet at less than this from flat form one side
 };
 
 /// Called before each stage with its name and the share of the work done, 0 to 1.
@@ -35,8 +35,8 @@ template <int N> struct PipelineResult {
   Index fillSimplices = 0;          // of the reference mesh before cuts and repairs
   std::string remedy;               // what it took TetGen to succeed, or empty
   Index cuts = 0;
-  Index repairs = 0;                // nodes added by repairs of conditions (a) and (b)
-  Index fallbackComponents = 0;     // components where every reference simplex became a part
+  Index repairs = 0;            // nodes added by repairs of conditions (a) and (b)
+  Index fallbackComponents = 0; // components where every reference simplex became a part
   std::string fallbackReason;
   Parts<N> parts;
   Contributions<N> contributions;
@@ -45,7 +45,7 @@ template <int N> struct PipelineResult {
   Primal<N> primal;
   std::vector<double> quality; // per block: scaled Jacobian
   Certificate certificate;
-  bool onlyMatching = false;   // the domain gives its own contributions: they are checked, no mesh is made
+  bool onlyMatching = false; // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;
 };
 
@@ -55,7 +55,9 @@ template <int N>
 Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
                                       const Progress &progress = {});
 
-extern template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &, const Progress &);
-extern template Result<PipelineResult<3>> runPipeline(const Domain<3> &, const PipelineOptions &, const Progress &);
+extern template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &,
+                                                      const Progress &);
+extern template Result<PipelineResult<3>> runPipeline(const Domain<3> &, const PipelineOptions &,
+                                                      const Progress &);
 
 } // namespace dualblock

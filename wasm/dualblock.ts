@@ -3,36 +3,11 @@ import createDualblock, { type CoreModule } from './build/dualblock.mjs';
 import { DualblockError } from './io/errors.ts';
 import { readSurface, type SurfaceFormat } from './io/surface-readers.ts';
 import type { CoreError, RunResult } from './result.ts';
+import { defaultSettings, formatOf, type Settings } from './settings.ts';
 
-export interface Settings {
-  /** Longest edge of the reference mesh, in the units of the input; 0 for the coarsest. */
-  edgeLength: number;
-  /** Over 0: vary the reference mesh at random; 0 to 2^32 - 1. */
-  seed: number;
-  /** Of planarity, relative to the size of the domain. */
-  tolerance: number;
-  /** Degrees: facets that meet at less than this from flat form one side. */
-  featureAngle: number;
-}
-
-export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 0 };
+export { defaultSettings, formatOf, type InputFormat, inputFormats, type Settings } from './settings.ts';
 
 export type Progress = (stage: string, done: number) => void;
-
-/** File name extensions that can be loaded. */
-export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;
-export type InputFormat = (typeof inputFormats)[number];
-
-/** The format that a file's name announces. Throws `formatUnknown`. */
-export function formatOf(fileName: string): InputFormat {
-  const extension = fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
-  const format = inputFormats.find((f) => f === extension);
-  if (format) return format;
-  const known = inputFormats.map((f) => `.${f}`).join(' ');
-  throw new DualblockError('formatUnknown', `${fileName} has an unknown extension: use one of ${known}.`, [
-    { kind: 'file', index: 0 },
-  ]);
-}
 
 const surfaceFormats: readonly string[] = ['stl', 'obj', 'ply'] satisfies SurfaceFormat[];
 const raise = (error: CoreError): never => {

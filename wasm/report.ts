@@ -1,7 +1,7 @@
 // The report of a run (format "dualblock-report/1"): what every script that calls dualblock depends on.
 import { version } from '../package.json';
-import type { Settings } from './dualblock.ts';
 import type { CoreError, RunResult } from './result.ts';
+import type { Settings } from './settings.ts';
 
 export const reportFormat = 'dualblock-report/1';
 export const featureKinds = ['end', 'side', 'corner', 'reversal'] as const;

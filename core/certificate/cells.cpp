@@ -1,5 +1,5 @@
-// Check 2: every label (part, set of sides) has one D-bar-cell piece, and every piece and every D-bar-cell is a
-// ball as far as its Euler characteristic tells. A cell meets each simplex, face, edge and node of the
+// Check 2: every label (part, set of sides) has one D-bar-cell piece, and every piece and every D-bar-cell is
+// a ball as far as its Euler characteristic tells. A cell meets each simplex, face, edge and node of the
 // reference mesh in convex pieces; over the inner ones, with alternating signs, these add up to its Euler
 // characteristic (the reduced one of a simplex's link is its weight, 0 for simplices on the boundary).
 #include "certificate/checks.h"
@@ -25,22 +25,24 @@ template <int N> struct BoundarySkeleton {
           d = std::max(d, depth);
           if constexpr (N == 3)
             for (int b = a + 1; b < N + 1; ++b)
-              if (b != i) edges.push_back({sortedPair(mesh.simplices[at(s)][a], mesh.simplices[at(s)][b]), depth});
+              if (b != i)
+                edges.push_back({sortedPair(mesh.simplices[at(s)][a], mesh.simplices[at(s)][b]), depth});
         }
       }
     // Of several entries for one edge the deepest comes first.
     std::sort(edges.begin(), edges.end(), [](const auto &x, const auto &y) {
       return x.first != y.first ? x.first < y.first : x.second > y.second;
     });
-    edges.erase(std::unique(edges.begin(), edges.end(), [](const auto &x, const auto &y) { return x.first == y.first; }),
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [](const auto &x, const auto &y) { return x.first == y.first; }),
                 edges.end());
   }
 
   Depth depthOfEdge(Index a, Index b) const {
     if (node[at(a)] == kInner || node[at(b)] == kInner) return kInner;
     const std::array<Index, 2> key{std::min(a, b), std::max(a, b)};
-    const auto found =
-        std::lower_bound(edges.begin(), edges.end(), key, [](const auto &e, const auto &k) { return e.first < k; });
+    const auto found = std::lower_bound(edges.begin(), edges.end(), key,
+                                        [](const auto &e, const auto &k) { return e.first < k; });
     return found != edges.end() && found->first == key ? found->second : kInner;
   }
 };
@@ -62,7 +64,8 @@ public:
     const ContributionSet present = in_.contributions.present[at(s)];
     if (present == 0) return in_.dual.pieceOf[at(offset)];
     const auto &classes = cache_[present].inside;
-    const auto found = std::find(classes.begin(), classes.end(), static_cast<ContributionSet>(inside & present));
+    const auto found =
+        std::find(classes.begin(), classes.end(), static_cast<ContributionSet>(inside & present));
     return in_.dual.pieceOf[at(offset) + static_cast<std::size_t>(found - classes.begin())];
   }
 
@@ -115,7 +118,8 @@ template <int N> void countSimplicesAndFaces(const CertificateInput<N> &in, Eule
 
 /// Each node once, and (3D) each edge once, from one simplex that has it.
 template <int N>
-void countNodesAndEdges(const CertificateInput<N> &in, const BoundarySkeleton<N> &boundary, EulerCount<N> &euler) {
+void countNodesAndEdges(const CertificateInput<N> &in, const BoundarySkeleton<N> &boundary,
+                        EulerCount<N> &euler) {
   constexpr int kNodeWeight = N == 2 ? 1 : -1;
   const Index nodes = in.mesh.nodeCount();
   Lists<Index> around; // simplices around each node
@@ -170,9 +174,11 @@ template <int N> void checkCells(const CertificateInput<N> &in, Certificate &cer
     return text + "}";
   };
   if (in.dual.overfull)
-    certificate.fail(Check::cells, "a region lies inside more D-bar-surfaces of one part than there are dimensions");
+    certificate.fail(Check::cells,
+                     "a region lies inside more D-bar-surfaces of one part than there are dimensions");
   for (std::size_t p = 0; p + 1 < in.dual.pieces.size(); ++p)
-    if (in.dual.pieces[p].part == in.dual.pieces[p + 1].part && in.dual.pieces[p].sides == in.dual.pieces[p + 1].sides)
+    if (in.dual.pieces[p].part == in.dual.pieces[p + 1].part &&
+        in.dual.pieces[p].sides == in.dual.pieces[p + 1].sides)
       certificate.fail(Check::cells, "two D-bar-cells share the label " + describe(in.dual.pieces[p]),
                        {{"cell", in.dual.pieces[p].cell}, {"cell", in.dual.pieces[p + 1].cell}});
   EulerCount<N> euler(in);
@@ -182,8 +188,8 @@ template <int N> void checkCells(const CertificateInput<N> &in, Certificate &cer
   for (std::size_t p = 0; p < euler.ofPiece.size(); ++p)
     if (euler.ofPiece[p] != 1)
       certificate.fail(Check::cells,
-                       "the D-bar-cell of " + describe(in.dual.pieces[p]) + " is not a ball: Euler characteristic " +
-                           std::to_string(euler.ofPiece[p]),
+                       "the D-bar-cell of " + describe(in.dual.pieces[p]) +
+                           " is not a ball: Euler characteristic " + std::to_string(euler.ofPiece[p]),
                        {{"cell", in.dual.pieces[p].cell}});
   for (std::size_t c = 0; c < euler.ofCell.size(); ++c)
     if (euler.ofCell[c] != 1)

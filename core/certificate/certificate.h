@@ -19,25 +19,25 @@ struct CertificateFailure {
 
 /// A curve (2D: vertex) of the domain and how many blocks meet along it.
 struct FeatureCount {
-  std::uint8_t ideal;  // 1 end, 2 side, 3 corner, 4 reversal (paper 2.4)
+  std::uint8_t ideal; // 1 end, 2 side, 3 corner, 4 reversal (paper 2.4)
   Index actual;
 };
 
 struct Certificate {
   std::array<bool, 5> passed{true, true, true, true, true}; // by Check
-  std::vector<CertificateFailure> failures;                  // the first few of each check
+  std::vector<CertificateFailure> failures;                 // the first few of each check
   bool valid = true;
-  double domainMeasure = 0; // area or volume, from the domain's facets alone
-  double meshMeasure = 0;   // the same of the blocks, exactly integrated
-  double worstCoefficient = 0; // smallest Bezier coefficient over its block's largest
+  double domainMeasure = 0;           // area or volume, from the domain's facets alone
+  double meshMeasure = 0;             // the same of the blocks, exactly integrated
+  double worstCoefficient = 0;        // smallest Bezier coefficient over its block's largest
   std::vector<FeatureCount> features; // per domain curve, in the order of CertificateInput::curves
 
   void fail(Check check, std::string message, std::vector<EntityRef> entities = {});
 };
 
 template <int N> struct CertificateInput {
-  const Domain<N> &domain;          // validated, facets oriented outward where they bound the domain
-  const Parts<N> &features;         // of the uncut mesh: the domain's own curves and corners
+  const Domain<N> &domain;                 // validated, facets oriented outward where they bound the domain
+  const Parts<N> &features;                // of the uncut mesh: the domain's own curves and corners
   const std::vector<Vec<N>> &featureNodes; // the nodes that `features` refers to
   const ReferenceMesh<N> &mesh;
   const Parts<N> &parts;

@@ -16,9 +16,9 @@ template <int N> struct BlockFace {
 /// The blocks' faces, sorted by key, so that the faces of two blocks stand together.
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
-  std::vector<Index> boundary;                // of `faces`: those with one block only
-  std::vector<std::array<Index, 2>> edges;    // sorted node pairs, each once
-  std::vector<Index> blocksAtEdge;            // per edge
+  std::vector<Index> boundary;             // of `faces`: those with one block only
+  std::vector<std::array<Index, 2>> edges; // sorted node pairs, each once
+  std::vector<Index> blocksAtEdge;         // per edge
 };
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &input);
@@ -26,10 +26,12 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
 template <int N> void checkCells(const CertificateInput<N> &input, Certificate &certificate);
 template <int N>
-void checkTopology(const CertificateInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
+void checkTopology(const CertificateInput<N> &input, const BlockComplex<N> &complex,
+                   Certificate &certificate);
 template <int N> void checkGeometry(const CertificateInput<N> &input, Certificate &certificate);
 template <int N>
-void checkFeatures(const CertificateInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
+void checkFeatures(const CertificateInput<N> &input, const BlockComplex<N> &complex,
+                   Certificate &certificate);
 
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the
 /// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest.

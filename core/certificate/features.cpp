@@ -26,7 +26,9 @@ double polygonMeasure(const std::vector<Vec<2>> &x, const std::array<Index, 2> &
 }
 
 double polygonMeasure(const std::vector<Vec<3>> &x, const std::array<Index, 4> &cycle, const Vec<3> &normal) {
-  return std::abs(glm::dot(normal, glm::cross(x[at(cycle[2])] - x[at(cycle[0])], x[at(cycle[3])] - x[at(cycle[1])]))) / 2;
+  return std::abs(glm::dot(
+             normal, glm::cross(x[at(cycle[2])] - x[at(cycle[0])], x[at(cycle[3])] - x[at(cycle[1])]))) /
+         2;
 }
 
 double facetArea(const std::vector<Vec<2>> &v, const Facet &f) {
@@ -48,7 +50,8 @@ struct Crease {
   bool operator<(const Crease &o) const { return facets != o.facets ? facets < o.facets : nodes < o.nodes; }
 };
 
-template <int N> std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
+template <int N>
+std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
   struct Ridge {
     std::array<Index, 2> nodes;
     Index facet;
@@ -62,8 +65,9 @@ template <int N> std::vector<Crease> findCreases(const CertificateInput<N> &in, 
       ridges.push_back({{std::min(a, b), std::max(a, b)}, facetOf(in, face)});
     }
   }
-  std::sort(ridges.begin(), ridges.end(),
-            [](const Ridge &a, const Ridge &b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet; });
+  std::sort(ridges.begin(), ridges.end(), [](const Ridge &a, const Ridge &b) {
+    return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet;
+  });
   std::vector<Crease> creases;
   for (std::size_t r = 0; r + 1 < ridges.size(); ++r)
     if (ridges[r].nodes == ridges[r + 1].nodes && ridges[r].facet != ridges[r + 1].facet)
@@ -82,7 +86,8 @@ void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, 
     const Plane<N> &plane = in.mesh.surfaces[at(facet)].plane;
     for (const Index v : face.cycle)
       if (std::abs(plane.distance(in.primal.positions[at(v)])) > tolerance)
-        certificate.fail(Check::features, "node " + std::to_string(v) + " is off facet " + std::to_string(facet),
+        certificate.fail(Check::features,
+                         "node " + std::to_string(v) + " is off facet " + std::to_string(facet),
                          {{"node", v}, {"facet", facet}});
     covered[at(facet)] += polygonMeasure(in.primal.positions, face.cycle, plane.normal);
   }
@@ -115,18 +120,19 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   // Vertices: sort the primal nodes by position and look each vertex up.
   std::vector<Index> byPosition(in.primal.positions.size());
   for (std::size_t k = 0; k < byPosition.size(); ++k) byPosition[k] = toIndex(k);
-  std::sort(byPosition.begin(), byPosition.end(), [&](Index a, Index b) {
-    return in.primal.positions[at(a)].x < in.primal.positions[at(b)].x;
-  });
+  std::sort(byPosition.begin(), byPosition.end(),
+            [&](Index a, Index b) { return in.primal.positions[at(a)].x < in.primal.positions[at(b)].x; });
   for (const Corner &corner : in.features.corners) {
     const Vec<N> x = in.featureNodes[at(corner.node)];
-    auto near = std::lower_bound(byPosition.begin(), byPosition.end(), x.x - tolerance,
-                                 [&](Index node, double value) { return in.primal.positions[at(node)].x < value; });
+    auto near =
+        std::lower_bound(byPosition.begin(), byPosition.end(), x.x - tolerance,
+                         [&](Index node, double value) { return in.primal.positions[at(node)].x < value; });
     bool found = false;
     for (; near != byPosition.end() && in.primal.positions[at(*near)].x <= x.x + tolerance && !found; ++near)
       found = glm::length(in.primal.positions[at(*near)] - x) <= tolerance;
     if (!found)
-      certificate.fail(Check::features, "vertex " + std::to_string(corner.node) + " of the domain is no primal node",
+      certificate.fail(Check::features,
+                       "vertex " + std::to_string(corner.node) + " of the domain is no primal node",
                        {{"vertex", corner.node}});
   }
 
@@ -163,16 +169,19 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   std::sort(lengths.begin(), lengths.end());
   for (std::size_t begin = 0, end = 0; begin < lengths.size(); begin = end) {
     double wanted = 0;
-    for (; end < lengths.size() && lengths[end].first == lengths[begin].first; ++end) wanted += lengths[end].second;
+    for (; end < lengths.size() && lengths[end].first == lengths[begin].first; ++end)
+      wanted += lengths[end].second;
     double made = 0;
     const std::array<Index, 2> facets = lengths[begin].first;
     for (auto c = std::lower_bound(creases.begin(), creases.end(), Crease{facets, {kNone, kNone}});
          c != creases.end() && c->facets == facets; ++c)
-      made += N == 2 ? 1 : glm::length(in.primal.positions[at(c->nodes[1])] - in.primal.positions[at(c->nodes[0])]);
+      made += N == 2
+                  ? 1
+                  : glm::length(in.primal.positions[at(c->nodes[1])] - in.primal.positions[at(c->nodes[0])]);
     if (!(std::abs(made - wanted) <= 1e-9 * in.mesh.size + 4 * in.facetDeviation))
       certificate.fail(Check::features,
-                       "the curve between facets " + std::to_string(facets[0]) + " and " + std::to_string(facets[1]) +
-                           " is no chain of primal edges",
+                       "the curve between facets " + std::to_string(facets[0]) + " and " +
+                           std::to_string(facets[1]) + " is no chain of primal edges",
                        {{"facet", facets[0]}, {"facet", facets[1]}});
   }
 }

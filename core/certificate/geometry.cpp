@@ -18,7 +18,9 @@ struct Bernstein {
   std::size_t index(int i, int j, int k) const {
     return static_cast<std::size_t>(i + (degree[0] + 1) * (j + (degree[1] + 1) * k));
   }
-  std::size_t size() const { return static_cast<std::size_t>((degree[0] + 1) * (degree[1] + 1) * (degree[2] + 1)); }
+  std::size_t size() const {
+    return static_cast<std::size_t>((degree[0] + 1) * (degree[1] + 1) * (degree[2] + 1));
+  }
 };
 
 double binomial(int n, int k) {
@@ -223,8 +225,9 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
     certificate.worstCoefficient = std::min(certificate.worstCoefficient, ratio);
     if (sign <= 0)
       certificate.fail(Check::geometry,
-                       sign < 0 ? "block " + std::to_string(b) + " is inverted or flat at a point"
-                                : "block " + std::to_string(b) + " could not be shown to be positive everywhere",
+                       sign < 0
+                           ? "block " + std::to_string(b) + " is inverted or flat at a point"
+                           : "block " + std::to_string(b) + " could not be shown to be positive everywhere",
                        {{"block", b}});
     const Bernstein p = determinant<N>(corners);
     double mean = 0;
@@ -236,8 +239,8 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
   certificate.meshMeasure = sum;
   const double allowed = 1e-10 * std::abs(certificate.domainMeasure) + 2 * in.facetDeviation * surface;
   if (!(std::abs(sum - certificate.domainMeasure) <= allowed))
-    certificate.fail(Check::geometry, "the blocks' " + std::string(N == 2 ? "areas" : "volumes") + " add up to " +
-                                          scientific(sum) + " instead of the domain's " +
+    certificate.fail(Check::geometry, "the blocks' " + std::string(N == 2 ? "areas" : "volumes") +
+                                          " add up to " + scientific(sum) + " instead of the domain's " +
                                           scientific(certificate.domainMeasure));
 }
 

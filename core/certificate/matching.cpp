@@ -9,14 +9,13 @@ namespace dualblock {
 namespace {
 
 struct Trace {
-  unsigned nodes;  // mask over the face's nodes in ascending order of node number
+  unsigned nodes; // mask over the face's nodes in ascending order of node number
   Index surface;
   bool operator==(const Trace &o) const { return nodes == o.nodes && surface == o.surface; }
   bool operator<(const Trace &o) const { return nodes != o.nodes ? nodes < o.nodes : surface < o.surface; }
 };
 
-template <int N>
-void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trace> &traces) {
+template <int N> void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trace> &traces) {
   traces.clear();
   const auto &nodes = in.mesh.simplices[at(s)];
   // Rank of each vertex among the face's nodes.
@@ -24,7 +23,8 @@ void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trac
   for (int v = 0; v < N + 1; ++v)
     for (int w = 0; w < N + 1; ++w)
       if (v != face && w != face && nodes[w] < nodes[v]) ++rank[v];
-  for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != in.contributions.ofSimplex.end(s); ++c) {
+  for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != in.contributions.ofSimplex.end(s);
+       ++c) {
     unsigned mask = 0;
     for (int v = 0; v < N + 1; ++v)
       if (v != face && (c->mask >> v & 1)) mask |= 1U << rank[v];

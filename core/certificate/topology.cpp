@@ -104,7 +104,8 @@ template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockC
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
   // A hexahedron's faces and edges (VTK order), a quad's sides.
-  static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
   static constexpr int kQuadSides[4][2] = {{3, 0}, {1, 2}, {0, 1}, {2, 3}};
   static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                         {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
@@ -167,7 +168,8 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
   std::sort(pairs.begin(), pairs.end());
   const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
   if (twice != pairs.end())
-    certificate.fail(Check::topology, "two blocks share more than one face", {{"block", (*twice)[0]}, {"block", (*twice)[1]}});
+    certificate.fail(Check::topology, "two blocks share more than one face",
+                     {{"block", (*twice)[0]}, {"block", (*twice)[1]}});
   // The boundary is closed: every ridge of it belongs to an even number of boundary faces, to two of them
   // where the domain is a manifold, which the reference mesh's parts require.
   std::vector<std::array<Index, N == 2 ? 1 : 2>> ridges;
@@ -182,12 +184,14 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
   for (std::size_t begin = 0, end = 0; begin < ridges.size(); begin = end) {
     while (end < ridges.size() && ridges[end] == ridges[begin]) ++end;
     if (end - begin != 2)
-      certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold", {{"node", ridges[begin][0]}});
+      certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold",
+                       {{"node", ridges[begin][0]}});
   }
   const Shape reference = shapeOfReference(in);
   const Shape blocks = shapeOfBlocks(in, complex);
   if (!(reference == blocks))
-    certificate.fail(Check::topology, "the blocks have " + describe(blocks) + "; the domain has " + describe(reference));
+    certificate.fail(Check::topology,
+                     "the blocks have " + describe(blocks) + "; the domain has " + describe(reference));
 }
 
 template BlockComplex<2> buildBlockComplex(const CertificateInput<2> &);

@@ -39,12 +39,14 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
       const Index *side = parts.nodeSides.begin(node);
       if (side == end) continue;
       for (side = std::lower_bound(side, end, firstSide); side != end && *side < endSide; ++side) {
-        auto known = std::find_if(here.begin(), here.end(), [&](const Contribution &c) { return c.side == *side; });
+        auto known =
+            std::find_if(here.begin(), here.end(), [&](const Contribution &c) { return c.side == *side; });
         if (known == here.end()) known = here.insert(known, {*side, 0});
         known->mask = static_cast<std::uint8_t>(known->mask | 1U << v);
       }
     }
-    std::sort(here.begin(), here.end(), [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
+    std::sort(here.begin(), here.end(),
+              [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
     for (const Contribution &c : here) {
       const int size = std::popcount(unsigned{c.mask});
       if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {

@@ -13,7 +13,8 @@ struct Contribution {
   std::uint8_t mask; // of the simplex's vertices on the side
 };
 
-/// Where condition (a) fails: all nodes of an edge, triangle or whole simplex lie on a side that it is not in.
+/// Where condition (a) fails: all nodes of an edge, triangle or whole simplex lie on a side that it is not
+/// in.
 struct NotFull {
   Index simplex;
   Contribution contribution;

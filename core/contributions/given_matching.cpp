@@ -30,7 +30,9 @@ std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
     std::vector<Point> ends;
     for (const Index a : triangles[at(c.simplex)])
       for (const Index b : triangles[at(c.simplex)]) {
-        const auto holds = [&](Index v) { return std::find(c.nodes.begin(), c.nodes.end(), v) != c.nodes.end(); };
+        const auto holds = [&](Index v) {
+          return std::find(c.nodes.begin(), c.nodes.end(), v) != c.nodes.end();
+        };
         if (a != b && holds(a) && !holds(b)) ends.emplace_back(a, b);
       }
     for (const Point &p : ends) {
@@ -55,31 +57,38 @@ std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
     const Index set = sets.find(number[point]);
     const int total = hardInSet[at(set)];
     const int here = static_cast<int>(arrivals.hardFrom.size());
-    const std::string place =
-        "On the edge between nodes " + std::to_string(near) + " and " + std::to_string(far) + ", near " +
-        std::to_string(near) + ": ";
+    const std::string place = "On the edge between nodes " + std::to_string(near) + " and " +
+                              std::to_string(far) + ", near " + std::to_string(near) + ": ";
     if (trianglesAt[sortedPair(near, far)] == 1) {
       if (arrivals.soft)
-        faults.push_back({near, far, here, place + "a soft contribution ends at the boundary, where nothing can "
-                                                   "match it (paper 4.3, boundary edge)."});
+        faults.push_back({near, far, here,
+                          place + "a soft contribution ends at the boundary, where nothing can "
+                                  "match it (paper 4.3, boundary edge)."});
       else if (here > 1)
-        faults.push_back({near, far, here, place + std::to_string(here) + " hard contributions meet the boundary at "
-                                                   "one point; one or none may (paper 4.3, boundary edge)."});
+        faults.push_back({near, far, here,
+                          place + std::to_string(here) +
+                              " hard contributions meet the boundary at "
+                              "one point; one or none may (paper 4.3, boundary edge)."});
       continue;
     }
     if (arrivals.soft) {
       if (total == 2 || total == 4 || reported[at(set)]) continue;
       reported[at(set)] = true;
-      faults.push_back({near, far, total, place + "soft contributions collapse to one virtual point where " +
-                                              std::to_string(total) + " hard ones arrive; it must be two or four "
-                                              "(paper 4.3, figure 12b)."});
+      faults.push_back({near, far, total,
+                        place + "soft contributions collapse to one virtual point where " +
+                            std::to_string(total) +
+                            " hard ones arrive; it must be two or four "
+                            "(paper 4.3, figure 12b)."});
       continue;
     }
-    const int left = static_cast<int>(std::count(arrivals.hardFrom.begin(), arrivals.hardFrom.end(), arrivals.hardFrom[0]));
+    const int left = static_cast<int>(
+        std::count(arrivals.hardFrom.begin(), arrivals.hardFrom.end(), arrivals.hardFrom[0]));
     if (left != here - left)
-      faults.push_back({near, far, here, place + std::to_string(left) + " hard contribution(s) arrive from one side and " +
-                                             std::to_string(here - left) + " from the other; the numbers must be equal "
-                                             "(paper 4.3, figure 12a)."});
+      faults.push_back({near, far, here,
+                        place + std::to_string(left) + " hard contribution(s) arrive from one side and " +
+                            std::to_string(here - left) +
+                            " from the other; the numbers must be equal "
+                            "(paper 4.3, figure 12a)."});
   }
   return faults;
 }

@@ -23,7 +23,8 @@ template <int N> ContributionSet insideOf(const std::array<int, N + 1> &point) {
   return set;
 }
 
-template <int N, typename Visit> void forLattice(std::array<int, N + 1> &point, int coordinate, int rest, Visit visit) {
+template <int N, typename Visit>
+void forLattice(std::array<int, N + 1> &point, int coordinate, int rest, Visit visit) {
   if (coordinate == N) {
     point[N] = rest;
     visit(point);
@@ -46,7 +47,8 @@ template <int N> RegionTables<N>::RegionTables() {
     const ContributionSet set = insideOf<N>(point);
     found.insert(set);
     if (point[0] != 0) return;
-    const bool isNew = std::none_of(facePoints.begin(), facePoints.end(), [&](const auto &p) { return p.first == set; });
+    const bool isNew =
+        std::none_of(facePoints.begin(), facePoints.end(), [&](const auto &p) { return p.first == set; });
     if (isNew) facePoints.emplace_back(set, point);
   });
   regions_.assign(found.begin(), found.end());
@@ -88,7 +90,8 @@ template <int N> typename RegionTables<N>::Classes RegionTables<N>::classes(Cont
   for (std::size_t a = 0; a < result.inside.size(); ++a)
     for (std::size_t b = 0; b < result.inside.size(); ++b) {
       const unsigned extra = result.inside[a] & ~result.inside[b];
-      const bool single = extra != 0 && (extra & (extra - 1)) == 0 && (result.inside[b] & ~result.inside[a]) == 0;
+      const bool single =
+          extra != 0 && (extra & (extra - 1)) == 0 && (result.inside[b] & ~result.inside[a]) == 0;
       if (!single) continue;
       unsigned mask = 0;
       while (extra >> mask != 1) ++mask;

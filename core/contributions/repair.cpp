@@ -53,7 +53,9 @@ Index splitBetween(ReferenceMesh<N> &mesh, const std::vector<Index> &simplices, 
       if (t == kNone || mesh.tags[at(s)][i] != kNone) continue;
       bool all = true;
       for (int k = 0; k < N + 1; ++k) all &= k == i || belongs(s, mesh.simplices[at(s)][k]);
-      const auto isChanged = [&](Index x) { return std::find(changed.begin(), changed.end(), x) != changed.end(); };
+      const auto isChanged = [&](Index x) {
+        return std::find(changed.begin(), changed.end(), x) != changed.end();
+      };
       if (!all || isChanged(s) || isChanged(t)) continue;
       changed.push_back(s);
       changed.push_back(t);
@@ -82,7 +84,8 @@ Index repairFullness(ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::v
   });
 }
 
-template <int N> Index repairBubbles(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual) {
+template <int N>
+Index repairBubbles(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual) {
   // Of the pieces that share a label, all but the largest are extra.
   std::vector<Index> sizes(dual.pieces.size(), 0);
   for (const Index piece : dual.pieceOf) ++sizes[at(piece)];

@@ -40,7 +40,8 @@ template <int N, typename Visit> void sweep(const Domain<N> &domain, double marg
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
       bool apart = false;
-      for (int c = 1; c < N; ++c) apart |= boxes[k].low[c] > boxes[i].high[c] || boxes[i].low[c] > boxes[k].high[c];
+      for (int c = 1; c < N; ++c)
+        apart |= boxes[k].low[c] > boxes[i].high[c] || boxes[i].low[c] > boxes[k].high[c];
       if (apart) continue;
       if (visit(std::min(boxes[i].facet, boxes[k].facet), std::max(boxes[i].facet, boxes[k].facet))) return;
     }
@@ -53,8 +54,8 @@ double distanceToSegment(const Vec<2> &x, const Vec<2> &a, const Vec<2> &b) {
 }
 
 /// A point strictly inside edge (p, q) where it passes through the inside of the facet.
-std::optional<Vec<3>> pierces(const Domain<3> &domain, Index p, Index q, const Facet &facet, const Plane<3> &plane,
-                              double tolerance) {
+std::optional<Vec<3>> pierces(const Domain<3> &domain, Index p, Index q, const Facet &facet,
+                              const Plane<3> &plane, double tolerance) {
   const Vec<3> &a = domain.vertices[at(p)];
   const Vec<3> &b = domain.vertices[at(q)];
   const double da = plane.distance(a);
@@ -68,7 +69,8 @@ std::optional<Vec<3>> pierces(const Domain<3> &domain, Index p, Index q, const F
     std::vector<Vec<2>> polygon;
     for (const Index v : loop) polygon.push_back(basis.project(domain.vertices[at(v)]));
     for (std::size_t k = 0; k < polygon.size(); ++k)
-      if (distanceToSegment(y, polygon[k], polygon[(k + 1) % polygon.size()]) <= tolerance) return std::nullopt;
+      if (distanceToSegment(y, polygon[k], polygon[(k + 1) % polygon.size()]) <= tolerance)
+        return std::nullopt;
     if (insidePolygon(polygon, y)) inside = !inside;
   }
   return inside ? std::optional<Vec<3>>(x) : std::nullopt;
@@ -113,8 +115,8 @@ std::optional<Intersection<3>> findIntersection(const Domain<3> &domain, double 
   const auto edgesPierce = [&](Index f, Index g) {
     for (const auto &loop : domain.facets[at(f)].loops)
       for (std::size_t k = 0; k < loop.size() && !found; ++k)
-        if (const auto x = pierces(domain, loop[k], loop[(k + 1) % loop.size()], domain.facets[at(g)], planes[at(g)],
-                                   tolerance))
+        if (const auto x = pierces(domain, loop[k], loop[(k + 1) % loop.size()], domain.facets[at(g)],
+                                   planes[at(g)], tolerance))
           found = {std::min(f, g), std::max(f, g), *x};
   };
   sweep(domain, tolerance, [&](Index f, Index g) {

@@ -29,7 +29,8 @@ struct GroupPlane {
 
 /// Boundary edges of a group of facets, chained into loops; at a vertex where several loops touch, the next
 /// edge is the first one clockwise, so that loops do not cross.
-std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
+std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertices,
+                                              const std::vector<Facet> &facets,
                                               const std::vector<Index> &group, const Vec<3> &normal) {
   std::map<std::pair<Index, Index>, int> directed;
   for (const Index f : group)
@@ -105,7 +106,8 @@ std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
   return uses;
 }
 
-MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets, double tolerance) {
+MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
+                           double tolerance) {
   const std::vector<EdgeUse> uses = edgeUses(facets);
   std::vector<std::vector<Index>> neighbours(facets.size());
   for (std::size_t u = 0; u + 1 < uses.size(); ++u) {
@@ -172,7 +174,8 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
 
 void dropStraightVertices(const std::vector<Vec<3>> &vertices, std::vector<Facet> &facets, double tolerance) {
   const std::vector<EdgeUse> uses = edgeUses(facets);
-  std::vector<std::array<Index, 3>> ends(vertices.size(), {kNone, kNone, 0}); // two neighbours, and the degree
+  std::vector<std::array<Index, 3>> ends(vertices.size(),
+                                         {kNone, kNone, 0}); // two neighbours, and the degree
   for (std::size_t u = 0; u < uses.size(); ++u) {
     if (u > 0 && uses[u].nodes == uses[u - 1].nodes) continue;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -192,7 +195,8 @@ void dropStraightVertices(const std::vector<Vec<3>> &vertices, std::vector<Facet
   }
   for (Facet &facet : facets)
     for (auto &loop : facet.loops)
-      loop.erase(std::remove_if(loop.begin(), loop.end(), [&](Index v) { return straight[at(v)]; }), loop.end());
+      loop.erase(std::remove_if(loop.begin(), loop.end(), [&](Index v) { return straight[at(v)]; }),
+                 loop.end());
 }
 
 } // namespace dualblock

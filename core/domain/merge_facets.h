@@ -23,7 +23,8 @@ struct MergedFacets {
 
 /// Merges facets that share an edge used by exactly two facets and lie in one plane within `tolerance`
 /// (absolute). Facets on both sides of such an edge must run through it in opposite directions.
-MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets, double tolerance);
+MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
+                           double tolerance);
 
 /// Removes vertices where exactly two edges meet, straight within `tolerance` (absolute).
 void dropStraightVertices(const std::vector<Vec<3>> &vertices, std::vector<Facet> &facets, double tolerance);

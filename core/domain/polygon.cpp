@@ -21,7 +21,9 @@ Vec<2> areaVector(const std::vector<Vec<2>> &vertices, const Facet &facet) {
 
 PlaneBasis::PlaneBasis(const Vec<3> &normal) {
   const Vec<3> a = glm::abs(normal);
-  const Vec<3> axis = a.x <= a.y && a.x <= a.z ? Vec<3>{1, 0, 0} : a.y <= a.z ? Vec<3>{0, 1, 0} : Vec<3>{0, 0, 1};
+  const Vec<3> axis = a.x <= a.y && a.x <= a.z ? Vec<3>{1, 0, 0}
+                      : a.y <= a.z             ? Vec<3>{0, 1, 0}
+                                               : Vec<3>{0, 0, 1};
   u = glm::normalize(glm::cross(axis, normal));
   v = glm::cross(normal, u);
 }

@@ -7,17 +7,17 @@
 namespace dualblock {
 
 template <int N> struct PreparedDomain {
-  Domain<N> domain;                    // merged facets; vertices only those that facets still use
-  std::vector<Index> givenVertex;      // per vertex: its index in the input
-  std::vector<Index> facetOfGiven;     // per facet of the input: the merged facet it went into
-  double deviation = 0;                // of facet corners from their facet's plane, at most
-  bool shellsAreClosed = true;         // every edge belongs to exactly two facets
-  std::vector<std::string> repairs;    // what was changed, each unambiguous, in words
+  Domain<N> domain;                 // merged facets; vertices only those that facets still use
+  std::vector<Index> givenVertex;   // per vertex: its index in the input
+  std::vector<Index> facetOfGiven;  // per facet of the input: the merged facet it went into
+  double deviation = 0;             // of facet corners from their facet's plane, at most
+  bool shellsAreClosed = true;      // every edge belongs to exactly two facets
+  std::vector<std::string> repairs; // what was changed, each unambiguous, in words
 };
 
 /// tolerance: of planarity and collinearity, relative to the domain's size. Neighbours are merged within it;
-/// a facet that the input gives as one may be off its plane by ten times as much. Errors: every code in the groups
-/// "numbers and references" and "the domain" of error_codes.def.
+/// a facet that the input gives as one may be off its plane by ten times as much. Errors: every code in the
+/// groups "numbers and references" and "the domain" of error_codes.def.
 Result<PreparedDomain<2>> prepareDomain(const Domain<2> &domain, double tolerance);
 Result<PreparedDomain<3>> prepareDomain(const Domain<3> &domain, double tolerance);
 

@@ -33,7 +33,8 @@ Result<std::vector<Loop>> chainLoops(const Domain<2> &domain) {
       ++end;
       if (next == first) break;
       if (end == domain.facets.size() || domain.facets[end].loops[0][0] != next)
-        return loopError(ErrorCode::openBoundary, "Loop " + std::to_string(loops.size()) + " is not closed.", loops.size());
+        return loopError(ErrorCode::openBoundary, "Loop " + std::to_string(loops.size()) + " is not closed.",
+                         loops.size());
     }
     loops.push_back(std::move(loop));
   }
@@ -102,8 +103,10 @@ Result<PreparedDomain<2>> prepareDomain(const Domain<2> &given, double tolerance
     const bool isHole = area < 0;
     if (isHole && depth % 2 == 0 && l > 0)
       return loopError(ErrorCode::holeOutside,
-                       "Loop " + std::to_string(l) + " runs clockwise, as a hole does, but lies in no other loop: move "
-                       "it inside the domain, or turn it round to make it a component of its own.", l);
+                       "Loop " + std::to_string(l) +
+                           " runs clockwise, as a hole does, but lies in no other loop: move "
+                           "it inside the domain, or turn it round to make it a component of its own.",
+                       l);
     const bool shouldBeHole = depth % 2 == 1;
     if (isHole != shouldBeHole) {
       std::reverse(loops[l].points.begin(), loops[l].points.end());

@@ -17,7 +17,8 @@ std::vector<EntityRef> facetEntity(std::size_t f) { return {{"facet", static_cas
 std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
   if (domain.facets.size() < 4)
     return Error{ErrorCode::tooFewFacets,
-                 "The domain has " + std::to_string(domain.facets.size()) + " facets; a solid needs at least 4.",
+                 "The domain has " + std::to_string(domain.facets.size()) +
+                     " facets; a solid needs at least 4.",
                  {}};
   std::set<std::vector<Index>> seen;
   for (std::size_t f = 0; f < domain.facets.size(); ++f) {
@@ -25,30 +26,36 @@ std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
     std::vector<Index> corners;
     for (const auto &loop : domain.facets[f].loops) {
       if (loop.size() < 3)
-        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.", facetEntity(f)};
+        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.",
+                     facetEntity(f)};
       corners.insert(corners.end(), loop.begin(), loop.end());
     }
     std::sort(corners.begin(), corners.end());
     if (const auto twice = std::adjacent_find(corners.begin(), corners.end()); twice != corners.end())
       return Error{ErrorCode::degenerateFacet,
-                   name + " uses vertex " + std::to_string(*twice) + " twice: give each loop its corners once.",
+                   name + " uses vertex " + std::to_string(*twice) +
+                       " twice: give each loop its corners once.",
                    facetEntity(f)};
     const Vec<3> area = areaVector(domain.vertices, domain.facets[f]);
     double perimeter = 0;
     for (const auto &loop : domain.facets[f].loops)
       for (std::size_t k = 0; k < loop.size(); ++k)
-        perimeter += glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
+        perimeter +=
+            glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
     if (!(glm::length(area) > tolerance * perimeter))
       return Error{ErrorCode::degenerateFacet,
-                   name + " has no area: remove it, and join the facets on both sides of it.", facetEntity(f)};
-    if (!seen.insert(corners).second)
-      return Error{ErrorCode::duplicateFacet, name + " has the same corners as an earlier facet: remove one of them.",
+                   name + " has no area: remove it, and join the facets on both sides of it.",
                    facetEntity(f)};
-    const double off = deviation<3>(domain.vertices, domain.facets[f], facetPlane<3>(domain.vertices, domain.facets[f]));
+    if (!seen.insert(corners).second)
+      return Error{ErrorCode::duplicateFacet,
+                   name + " has the same corners as an earlier facet: remove one of them.", facetEntity(f)};
+    const double off =
+        deviation<3>(domain.vertices, domain.facets[f], facetPlane<3>(domain.vertices, domain.facets[f]));
     if (off > kGivenSlack * tolerance)
       return Error{ErrorCode::nonPlanarFacet,
-                   name + " is not planar: a corner lies " + formatNumber(off) + " off its plane, more than the " +
-                       formatNumber(kGivenSlack * tolerance) + " allowed. Triangulate it, or raise the tolerance.",
+                   name + " is not planar: a corner lies " + formatNumber(off) +
+                       " off its plane, more than the " + formatNumber(kGivenSlack * tolerance) +
+                       " allowed. Triangulate it, or raise the tolerance.",
                    facetEntity(f)};
   }
   return std::nullopt;
@@ -74,7 +81,8 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
     merged += same ? 1 : 0;
   }
   if (merged == 0) return;
-  prepared.repairs.push_back(std::to_string(merged) + " vertices with the coordinates of another were merged with it");
+  prepared.repairs.push_back(std::to_string(merged) +
+                             " vertices with the coordinates of another were merged with it");
   for (Facet &facet : domain.facets)
     for (auto &loop : facet.loops)
       for (Index &v : loop) v = first[at(v)];
@@ -86,11 +94,13 @@ std::optional<Error> checkClosed(PreparedDomain<3> &prepared) {
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
     if (end - begin == 1)
-      return Error{ErrorCode::openBoundary,
-                   "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
-                       " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
-                       std::to_string(uses[begin].facet) + " only. Close the gap, or merge vertices that should be one.",
-                   {{"facet", uses[begin].facet}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
+      return Error{
+          ErrorCode::openBoundary,
+          "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
+              " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
+              std::to_string(uses[begin].facet) +
+              " only. Close the gap, or merge vertices that should be one.",
+          {{"facet", uses[begin].facet}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
     if (end - begin != 2) prepared.shellsAreClosed = false;
   }
   return std::nullopt;
@@ -147,8 +157,8 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   prepared.domain.facets = std::move(merged.facets);
   prepared.facetOfGiven = std::move(merged.facetOfGiven);
   for (const Facet &facet : prepared.domain.facets)
-    prepared.deviation =
-        std::max(prepared.deviation, deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));
+    prepared.deviation = std::max(prepared.deviation,
+                                  deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));
   compactVertices(prepared);
   return prepared;
 }

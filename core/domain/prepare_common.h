@@ -21,8 +21,8 @@ template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
   const std::size_t count = domain.vertices.size();
   if (count < N + 1)
     return Error{ErrorCode::tooFewVertices,
-                 "The domain has " + std::to_string(count) + " vertices; it needs at least " + std::to_string(N + 1) +
-                     ".",
+                 "The domain has " + std::to_string(count) + " vertices; it needs at least " +
+                     std::to_string(N + 1) + ".",
                  {}};
   for (std::size_t v = 0; v < count; ++v)
     for (int k = 0; k < N; ++k)

@@ -33,7 +33,8 @@ void uniteAcross(const ReferenceMesh<N> &mesh, const Contributions<N> &contribut
 
 /// The sides whose D-bar-surfaces this class of simplex s lies inside of. False if there are more than N.
 template <int N>
-bool labelOf(const Contributions<N> &contributions, Index s, ContributionSet inside, std::array<Index, N> &label) {
+bool labelOf(const Contributions<N> &contributions, Index s, ContributionSet inside,
+             std::array<Index, N> &label) {
   label.fill(kNone);
   std::size_t n = 0;
   for (const Contribution *c = contributions.ofSimplex.begin(s); c != contributions.ofSimplex.end(s); ++c) {
@@ -117,9 +118,9 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
 template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts) {
   // Each curve, seen from each of its two sides that lies on a split surface: (side, first ridge) -> other.
   struct Contact {
-    Index side;                       // the lower one of the split surface's two sides
+    Index side; // the lower one of the split surface's two sides
     std::array<Index, N - 1> ridge;
-    Index continues;                  // the side that arrives at the split surface there
+    Index continues; // the side that arrives at the split surface there
     bool operator<(const Contact &o) const { return side != o.side ? side < o.side : ridge < o.ridge; }
   };
   std::vector<Contact> contacts;

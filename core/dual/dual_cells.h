@@ -30,8 +30,8 @@ template <int N> struct DualCells {
   std::vector<Index> pieceOf;       // per (simplex, class of RegionTables): the cell piece
   std::vector<CellPiece<N>> pieces; // by part, then label; equal labels stand together
   Index cellCount = 0;
-  std::vector<Index> surplus;       // pieces whose label an earlier piece has: bubbles, condition (b)
-  bool overfull = false;            // a region lies inside more than N D-bar-surfaces of a part
+  std::vector<Index> surplus; // pieces whose label an earlier piece has: bubbles, condition (b)
+  bool overfull = false;      // a region lies inside more than N D-bar-surfaces of a part
 
   /// The piece with this label (ascending, padded), or kNone.
   Index findPiece(Index part, const std::array<Index, N> &sides) const;
@@ -53,8 +53,10 @@ template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts);
 
 extern template struct DualCells<2>;
 extern template struct DualCells<3>;
-extern template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &);
-extern template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &);
+extern template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &,
+                                            const Contributions<2> &);
+extern template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &,
+                                            const Contributions<3> &);
 extern template DualSurfaces buildDualSurfaces<2>(const Parts<2> &);
 extern template DualSurfaces buildDualSurfaces<3>(const Parts<3> &);
 

@@ -59,7 +59,8 @@ template <int N> Index validateCentres(Primal<N> &primal) {
   const Block<N> *const last = primal.blocks.data() + primal.blocks.size();
   for (const Block<N> *begin = primal.blocks.data(), *end = begin; begin != last; begin = end) {
     while (end != last && end->part == begin->part) ++end;
-    if (std::none_of(begin, end, [&](const Block<N> &b) { return hasNonPositive(b, primal.positions); })) continue;
+    if (std::none_of(begin, end, [&](const Block<N> &b) { return hasNonPositive(b, primal.positions); }))
+      continue;
     // Node 0 of a block is inside of no D-bar-surface: the part's centre.
     if (moveCentre<N>(begin, end, begin->nodes[0], primal.positions)) ++moved;
   }

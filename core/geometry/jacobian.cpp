@@ -32,7 +32,8 @@ std::array<double, kJacobianCoefficients<N>> jacobianCoefficients(const std::arr
       result[bits] = det(edgeAlong<2>(corners, 0, bits), edgeAlong<2>(corners, 1, bits));
   } else {
     // d/du has degree (0,1,1), d/dv (1,0,1), d/dw (1,1,0). Along each axis two of the three vary linearly;
-    // the product of two linear Bernstein forms has the quadratic coefficients x0 y0, (x0 y1 + x1 y0) / 2, x1 y1.
+    // the product of two linear Bernstein forms has the quadratic coefficients x0 y0, (x0 y1 + x1 y0) / 2, x1
+    // y1.
     std::array<Vec<3>, 8> du;
     std::array<Vec<3>, 8> dv;
     std::array<Vec<3>, 8> dw;
@@ -42,8 +43,8 @@ std::array<double, kJacobianCoefficients<N>> jacobianCoefficients(const std::arr
       dw[bits] = edgeAlong<3>(corners, 2, bits);
     }
     // Per pair of end values along one axis: which quadratic coefficient, and with what weight.
-    for (unsigned u = 0; u < 4; ++u)     // ends of v's and w's derivative along u
-      for (unsigned v = 0; v < 4; ++v)   // ends of u's and w's derivative along v
+    for (unsigned u = 0; u < 4; ++u)       // ends of v's and w's derivative along u
+      for (unsigned v = 0; v < 4; ++v)     // ends of u's and w's derivative along v
         for (unsigned w = 0; w < 4; ++w) { // ends of u's and v's derivative along w
           const auto place = [](unsigned pair) { return (pair & 1) + (pair >> 1); };
           const auto weight = [](unsigned pair) { return pair == 1 || pair == 2 ? 0.5 : 1.0; };

@@ -25,7 +25,8 @@ template <int N> double signedMeasure(const std::array<Vec<N>, 1 << N> &corners)
 
 /// The corners of a block in the order of its nodes.
 template <int N>
-std::array<Vec<N>, 1 << N> cornersOf(const std::array<Index, 1 << N> &nodes, const std::vector<Vec<N>> &positions) {
+std::array<Vec<N>, 1 << N> cornersOf(const std::array<Index, 1 << N> &nodes,
+                                     const std::vector<Vec<N>> &positions) {
   std::array<Vec<N>, 1 << N> corners;
   for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = positions[at(nodes[k])];
   return corners;

@@ -21,7 +21,8 @@ template <std::size_t D> struct LinearConstraint {
 /// Maximises dot(objective, x) over the constraints and the box |x_k| <= box. Empty if infeasible.
 template <std::size_t D>
 std::optional<std::array<double, D>> solveLinearProgramme(std::vector<LinearConstraint<D>> constraints,
-                                                          const std::array<double, D> &objective, double box) {
+                                                          const std::array<double, D> &objective,
+                                                          double box) {
   constexpr double kTiny = 1e-12;
   std::array<double, D> x{};
   if constexpr (D == 1) {
@@ -42,7 +43,8 @@ std::optional<std::array<double, D>> solveLinearProgramme(std::vector<LinearCons
   } else {
     for (std::size_t k = 0; k < D; ++k) x[k] = objective[k] >= 0 ? box : -box;
     std::mt19937 random(7);
-    for (std::size_t i = constraints.size(); i > 1; --i) std::swap(constraints[i - 1], constraints[random() % i]);
+    for (std::size_t i = constraints.size(); i > 1; --i)
+      std::swap(constraints[i - 1], constraints[random() % i]);
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const auto &c = constraints[i];
       double value = -c.bound;
@@ -62,13 +64,15 @@ std::optional<std::array<double, D>> solveLinearProgramme(std::vector<LinearCons
         return reduced;
       };
       std::vector<LinearConstraint<D - 1>> reduced;
-      for (std::size_t j = 0; j < i; ++j) reduced.push_back(substitute(constraints[j].normal, constraints[j].bound));
+      for (std::size_t j = 0; j < i; ++j)
+        reduced.push_back(substitute(constraints[j].normal, constraints[j].bound));
       for (const double sign : {1.0, -1.0}) { // the box of the eliminated variable
         std::array<double, D> row{};
         row[pivot] = sign;
         reduced.push_back(substitute(row, box));
       }
-      const auto lower = solveLinearProgramme<D - 1>(std::move(reduced), substitute(objective, 0).normal, box);
+      const auto lower =
+          solveLinearProgramme<D - 1>(std::move(reduced), substitute(objective, 0).normal, box);
       if (!lower) return std::nullopt;
       double rest = c.bound;
       for (std::size_t k = 0, m = 0; k < D; ++k)

@@ -44,7 +44,8 @@ private:
   Vec<N> curveMidpoint(const CellPiece<N> &piece) const {
     std::vector<std::array<Index, 2>> segments;
     if constexpr (N == 2) {
-      for (const FaceRef<2> *f = parts_.sideFaces.begin(piece.sides[0]); f != parts_.sideFaces.end(piece.sides[0]); ++f)
+      for (const FaceRef<2> *f = parts_.sideFaces.begin(piece.sides[0]);
+           f != parts_.sideFaces.end(piece.sides[0]); ++f)
         segments.push_back(mesh_.sortedFace(f->simplex, f->face));
     } else {
       const std::array<Index, 2> sides{piece.sides[0], piece.sides[1]};
@@ -96,7 +97,8 @@ Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::ar
 }
 
 template <int N>
-void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual, Primal<N> &primal) {
+void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual,
+                Primal<N> &primal) {
   const Placer<N> placer(mesh, parts);
   primal.positions.clear();
   for (const Index piece : primal.nodePiece) primal.positions.push_back(placer.place(dual.pieces[at(piece)]));

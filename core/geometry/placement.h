@@ -9,13 +9,16 @@ namespace dualblock {
 /// Fills primal.positions and turns every block's axes so that its volume is positive. Where averages leave a
 /// part's centre in a place that inverts a block, the centre is moved to a valid one if there is one.
 template <int N>
-void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual, Primal<N> &primal);
+void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual,
+                Primal<N> &primal);
 
 /// The midpoint by arc length of a chain of segments given in any order. Starts from the lower end node.
 template <int N>
 Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::array<Index, 2>> &segments);
 
-extern template void placeNodes(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &, Primal<2> &);
-extern template void placeNodes(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &, Primal<3> &);
+extern template void placeNodes(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &,
+                                Primal<2> &);
+extern template void placeNodes(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &,
+                                Primal<3> &);
 
 } // namespace dualblock

@@ -36,7 +36,8 @@ std::string textOf(const Json &object, const char *key) {
   return found->get<std::string>();
 }
 
-template <int N> Vec<N> pointOf(const Json &value, const std::string &where, const char *kind, std::size_t index) {
+template <int N>
+Vec<N> pointOf(const Json &value, const std::string &where, const char *kind, std::size_t index) {
   const std::vector<EntityRef> entity{{kind, static_cast<std::int64_t>(index)}};
   if (!value.is_array() || value.size() != N)
     refuse(ErrorCode::syntax, where + " must be an array of " + std::to_string(N) + " numbers.", entity);
@@ -47,12 +48,14 @@ template <int N> Vec<N> pointOf(const Json &value, const std::string &where, con
       refuse(ErrorCode::notFinite, where + " has a coordinate that is no finite number (null).", entity);
     if (!number.is_number()) refuse(ErrorCode::syntax, where + " must hold numbers only.", entity);
     point[k] = number.get<double>();
-    if (!std::isfinite(point[k])) refuse(ErrorCode::notFinite, where + " has a coordinate that is not finite.", entity);
+    if (!std::isfinite(point[k]))
+      refuse(ErrorCode::notFinite, where + " has a coordinate that is not finite.", entity);
   }
   return point;
 }
 
-Index indexOf(const Json &value, std::size_t count, const std::string &where, const char *kind, std::size_t entity) {
+Index indexOf(const Json &value, std::size_t count, const std::string &where, const char *kind,
+              std::size_t entity) {
   if (!value.is_number_integer()) refuse(ErrorCode::syntax, where + " must hold whole numbers.");
   const auto index = value.get<std::int64_t>();
   if (index < 0 || static_cast<std::size_t>(index) >= count)
@@ -77,10 +80,11 @@ void readFacets(const Json &root, Domain<2> &domain) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const auto loop = loopOf(loops[l], domain.vertices.size(), item("loops", l), "loop", l);
     if (loop.size() < 3)
-      refuse(ErrorCode::tooFewVertices, item("loops", l) + " has " + std::to_string(loop.size()) +
-                                            " vertices; a loop needs at least 3.",
+      refuse(ErrorCode::tooFewVertices,
+             item("loops", l) + " has " + std::to_string(loop.size()) + " vertices; a loop needs at least 3.",
              {{"loop", static_cast<std::int64_t>(l)}});
-    for (std::size_t k = 0; k < loop.size(); ++k) domain.facets.push_back({{{loop[k], loop[(k + 1) % loop.size()]}}});
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      domain.facets.push_back({{{loop[k], loop[(k + 1) % loop.size()]}}});
   }
 }
 
@@ -139,10 +143,10 @@ void readContributions(const Json &root, Domain<2> &domain) {
       refuse(ErrorCode::contributionInvalid, where + ".kind must be \"hard\" or \"soft\".",
              {{"contribution", static_cast<std::int64_t>(c)}});
     GivenContribution contribution{kNone, {}, kind == "hard"};
-    contribution.simplex =
-        indexOf(member(list[c], "simplex", where), domain.reference->simplices.size(), where, "contribution", c);
-    contribution.nodes = loopOf(member(list[c], "nodes", where), domain.reference->nodes.size(), where + ".nodes",
-                                "contribution", c);
+    contribution.simplex = indexOf(member(list[c], "simplex", where), domain.reference->simplices.size(),
+                                   where, "contribution", c);
+    contribution.nodes = loopOf(member(list[c], "nodes", where), domain.reference->nodes.size(),
+                                where + ".nodes", "contribution", c);
     const auto &simplex = domain.reference->simplices[at(contribution.simplex)];
     auto nodes = contribution.nodes;
     std::sort(nodes.begin(), nodes.end());
@@ -173,10 +177,12 @@ template <int N> Domain<N> readDomain(const Json &root) {
     for (std::size_t r = 0; r < arrayOf(*regions, "\"regions\"").size(); ++r) {
       const std::string where = item("regions", r);
       const Json &region = (*regions)[r];
-      if (!region.is_object()) refuse(ErrorCode::syntax, where + " must be an object with \"point\" and \"id\".");
+      if (!region.is_object())
+        refuse(ErrorCode::syntax, where + " must be an object with \"point\" and \"id\".");
       const Json &id = member(region, "id", where);
       if (!id.is_number_integer()) refuse(ErrorCode::syntax, where + ".id must be a whole number.");
-      domain.regions.push_back({pointOf<N>(member(region, "point", where), where + ".point", "region", r), id.get<Index>()});
+      domain.regions.push_back(
+          {pointOf<N>(member(region, "point", where), where + ".point", "region", r), id.get<Index>()});
     }
   readReference(root, domain);
   if constexpr (N == 2) readContributions(root, domain);
@@ -212,10 +218,11 @@ Result<AnyDomain> readJson(std::string_view text) {
   } catch (const Json::parse_error &e) {
     const std::int64_t line = lineOf(text, e.byte);
     const bool cut = e.byte >= text.size();
-    return Error{cut ? ErrorCode::fileTruncated : ErrorCode::syntax,
-                 "Line " + std::to_string(line) + (cut ? ": the JSON text ends too early; the file may be truncated."
-                                                       : ": this is not JSON."),
-                 {{"line", line}}};
+    return Error{
+        cut ? ErrorCode::fileTruncated : ErrorCode::syntax,
+        "Line " + std::to_string(line) +
+            (cut ? ": the JSON text ends too early; the file may be truncated." : ": this is not JSON."),
+        {{"line", line}}};
   } catch (const Json::exception &e) {
     return Error{ErrorCode::syntax, std::string("The domain is not well formed: ") + e.what(), {}};
   }

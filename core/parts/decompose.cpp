@@ -56,7 +56,8 @@ std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Inde
 
 /// Whether the plane already is a split surface at this ridge.
 template <int N>
-bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane, double tolerance) {
+bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane,
+                  double tolerance) {
   bool found = false;
   const auto inspect = [&](Index s) {
     for (int i = 0; i < N + 1; ++i) {
@@ -64,7 +65,8 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
       if (tag == kNone || mesh.neighbors[at(s)][i] == kNone) continue;
       bool inPlane = true; // a face in the plane that holds the ridge
       for (int v = 0; v < N + 1; ++v)
-        if (v != i) inPlane &= std::abs(plane.distance(mesh.nodes[at(mesh.simplices[at(s)][v])])) <= tolerance;
+        if (v != i)
+          inPlane &= std::abs(plane.distance(mesh.nodes[at(mesh.simplices[at(s)][v])])) <= tolerance;
       for (int v = 0; v < N + 1; ++v) {
         if (v == ridge.from || v == ridge.to) continue;
         const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
@@ -78,8 +80,7 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
 }
 
 /// A direction in the first side's plane that points from the curve into the side.
-template <int N>
-Vec<N> intoSide(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Vec<N> &outward) {
+template <int N> Vec<N> intoSide(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Vec<N> &outward) {
   const auto &s = mesh.simplices[at(ridge.simplex)];
   Vec<N> into;
   Vec<N> origin;
@@ -149,7 +150,8 @@ std::vector<Spoke> spokesOf(const Parts<3> &parts, const Corner &corner, Index c
     if (spoke.next == kNone) continue;
     for (const auto &ridge : curve.ridges)
       for (const Index v : ridge)
-        if (v != corner.node && std::binary_search(partCornerNodes.begin(), partCornerNodes.end(), v)) spoke.end = v;
+        if (v != corner.node && std::binary_search(partCornerNodes.begin(), partCornerNodes.end(), v))
+          spoke.end = v;
     if (spoke.end != kNone) spokes.push_back(spoke);
   }
   return spokes;
@@ -173,14 +175,17 @@ Index splitSurfacesAt(const ReferenceMesh<3> &mesh, Index node, Index facetSurfa
 /// side. Among the planes that offer themselves it takes the one that holds most corners of the part; then
 /// the one whose far ends lie on most split surfaces already (cuts then share corners, and the choice does
 /// not hang on the numbering); then the one that divides the corner's sides most evenly.
-bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner, const std::vector<Spoke> &spokes,
-               const std::vector<Index> &partCornerNodes, const DecomposeOptions &options) {
+bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner,
+               const std::vector<Spoke> &spokes, const std::vector<Index> &partCornerNodes,
+               const DecomposeOptions &options) {
   using Score = std::tuple<Index, Index, Index>;
   std::optional<std::pair<Score, std::pair<std::size_t, Plane<3>>>> best;
   const Vec<3> apex = mesh.nodes[at(corner.node)];
   for (std::size_t i = 0; i < spokes.size(); ++i)
     for (std::size_t k = i + 1; k < spokes.size(); ++k) {
-      const auto shares = [&](Index side) { return side == spokes[k].sides[0] || side == spokes[k].sides[1]; };
+      const auto shares = [&](Index side) {
+        return side == spokes[k].sides[0] || side == spokes[k].sides[1];
+      };
       if (shares(spokes[i].sides[0]) || shares(spokes[i].sides[1])) continue;
       const Vec<3> d1 = glm::normalize(mesh.nodes[at(spokes[i].end)] - apex);
       const Vec<3> d2 = glm::normalize(mesh.nodes[at(spokes[k].end)] - apex);
@@ -212,7 +217,8 @@ bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corn
   if (!ridge) return false;
   const Index surface = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back({SurfaceKind::vertexCut, corner.node, plane});
-  if (cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance).faces > 0) return true;
+  if (cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance).faces > 0)
+    return true;
   mesh.surfaces.pop_back();
   return false;
 }
@@ -242,7 +248,8 @@ Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeO
       return std::all_of(star.begin(), star.end(), [&](Index s) { return s < oldSimplices; });
     }();
     if (worst && untouched) {
-      const std::vector<Spoke> spokes = spokesOf(parts, *worst, toIndex(curveBegin), toIndex(curveEnd), cornerNodes);
+      const std::vector<Spoke> spokes =
+          spokesOf(parts, *worst, toIndex(curveBegin), toIndex(curveEnd), cornerNodes);
       if (cutCorner(mesh, parts, *worst, spokes, cornerNodes, options)) ++cuts;
     }
     curveBegin = curveEnd;
@@ -268,12 +275,13 @@ std::vector<double> sectorPlanes(double angle) {
   return {angle / 2, (angle - pi) / 2};
 }
 
-template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const DecomposeOptions &options) {
+template <int N>
+Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
   const PartOptions partOptions{options.smoothAngle, nullptr};
   // Where planes cross so often that they multiply the mesh, the fallback is cheaper and no worse.
   const Index simplexLimit = 40 * mesh.simplexCount() + 20000;
   Decomposition<N> result;
-  result.parts = buildParts(mesh, partOptions);
+  result.parts = uncut;
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.cuts;
     cutReflexCurves(mesh, result.parts, options, simplexLimit, result.cuts);
@@ -304,7 +312,7 @@ template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Decomp
   return result;
 }
 
-template Decomposition<2> decompose(ReferenceMesh<2> &, const DecomposeOptions &);
-template Decomposition<3> decompose(ReferenceMesh<3> &, const DecomposeOptions &);
+template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
+template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);
 
 } // namespace dualblock

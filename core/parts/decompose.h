@@ -9,10 +9,10 @@
 namespace dualblock {
 
 struct DecomposeOptions {
-  double tolerance;        // nodes nearer to a cutting plane than this count as on it
-  double smoothAngle = 0;  // see PartOptions
-  double flatAngle = 1e-7; // radians over 180 degrees that still count as flat
-  Index facetSurfaces;     // surfaces below this number are the domain's own facets
+  double tolerance;                   // nodes nearer to a cutting plane than this count as on it
+  double smoothAngle = 0;             // see PartOptions
+  double flatAngle = 1e-7;            // radians over 180 degrees that still count as flat
+  Index facetSurfaces;                // surfaces below this number are the domain's own facets
   std::function<double()> blockLimit; // give up when the parts would give more blocks than this; asked
                                       // for only where vertices have to be cut
 };
@@ -24,15 +24,17 @@ template <int N> struct Decomposition {
   bool gaveUp = false;  // the block limit was reached, or cuts multiplied the simplices
 };
 
-/// Cuts `mesh` into parts. Reflex curves get the number of sectors that their type asks for (paper 2.4);
-/// afterwards vertices are cut until every part is simple, or no cut is left that helps.
-template <int N> Decomposition<N> decompose(ReferenceMesh<N> &mesh, const DecomposeOptions &options);
+/// Cuts `mesh`, whose parts are `uncut`, into more parts. Reflex curves get the number of sectors that their
+/// type asks for (paper 2.4); afterwards vertices are cut until every part is simple, or no cut is left that
+/// helps.
+template <int N>
+Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options);
 
 /// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
 /// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; algorithm.md 3, rule 1).
 std::vector<double> sectorPlanes(double angle);
 
-extern template Decomposition<2> decompose(ReferenceMesh<2> &, const DecomposeOptions &);
-extern template Decomposition<3> decompose(ReferenceMesh<3> &, const DecomposeOptions &);
+extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
+extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);
 
 } // namespace dualblock

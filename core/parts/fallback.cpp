@@ -86,7 +86,9 @@ FallbackMesh<N> applyFallback(const ReferenceMesh<N> &cut, const ReferenceMesh<N
 
 template Components<2> findComponents(const ReferenceMesh<2> &);
 template Components<3> findComponents(const ReferenceMesh<3> &);
-template FallbackMesh<2> applyFallback(const ReferenceMesh<2> &, const ReferenceMesh<2> &, const std::vector<bool> &);
-template FallbackMesh<3> applyFallback(const ReferenceMesh<3> &, const ReferenceMesh<3> &, const std::vector<bool> &);
+template FallbackMesh<2> applyFallback(const ReferenceMesh<2> &, const ReferenceMesh<2> &,
+                                       const std::vector<bool> &);
+template FallbackMesh<3> applyFallback(const ReferenceMesh<3> &, const ReferenceMesh<3> &,
+                                       const std::vector<bool> &);
 
 } // namespace dualblock

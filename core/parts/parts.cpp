@@ -60,7 +60,8 @@ template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh
   return boundary;
 }
 
-template <int N> std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k) {
+template <int N>
+std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k) {
   std::array<Index, N - 1> ridge{};
   for (int v = 0, m = 0; v < N + 1; ++v)
     if (v != f.face && v != k) ridge[m++] = mesh.simplices[at(f.simplex)][v];
@@ -116,7 +117,8 @@ template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &
     Curve<N> curve{first.part, first.sides, {}, first.angle, true};
     double longest = 0;
     ends.clear();
-    for (end = begin; end < records.size() && records[end].part == first.part && records[end].sides == first.sides;
+    for (end = begin;
+         end < records.size() && records[end].part == first.part && records[end].sides == first.sides;
          ++end) {
       const RidgeRecord<N> &r = records[end];
       curve.ridges.push_back(r.nodes);
@@ -288,7 +290,8 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   for (Index f = 0; f < toIndex(boundary.faces.size()); ++f)
     if (joined.find(f) == f) roots.push_back(f);
   const auto partOfFace = [&](Index f) { return parts.partOfSimplex[at(boundary.faces[at(f)].simplex)]; };
-  std::stable_sort(roots.begin(), roots.end(), [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
   std::vector<Index> sideOf(boundary.faces.size());
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto [s, i] = boundary.faces[at(roots[k])];
@@ -306,7 +309,8 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   for (std::size_t f = 0; f < sideOf.size(); ++f)
     parts.sideFaces.items[at(cursor[at(sideOf[f])]++)] = boundary.faces[f];
   for (Index p = 0, s = 0; p < partCount; ++p) {
-    for (; s < toIndex(parts.sides.size()) && parts.sides[at(s)].part == p; ++s) parts.partSides.items.push_back(s);
+    for (; s < toIndex(parts.sides.size()) && parts.sides[at(s)].part == p; ++s)
+      parts.partSides.items.push_back(s);
     parts.partSides.closeList();
   }
 

@@ -19,10 +19,10 @@ struct Side {
 /// The faces of a part where two of its sides meet: a chain of ridges (3D), one node (2D).
 template <int N> struct Curve {
   Index part;
-  std::array<Index, 2> sides;           // ascending
+  std::array<Index, 2> sides;                   // ascending
   std::vector<std::array<Index, N - 1>> ridges; // node lists, in the order found
-  double angle;                         // inside the part, radians
-  bool open;                            // a chain with two ends that are corners (2D: always)
+  double angle;                                 // inside the part, radians
+  bool open;                                    // a chain with two ends that are corners (2D: always)
 };
 
 /// A node where at least N sides of a part meet.
@@ -33,8 +33,8 @@ struct Corner {
 };
 
 struct PartInfo {
-  bool simple;      // condition (c) of algorithm.md 2
-  std::string why;  // what is not simple about it
+  bool simple;     // condition (c) of algorithm.md 2
+  std::string why; // what is not simple about it
   Index region;
 };
 
@@ -50,7 +50,7 @@ template <int N> struct Parts {
 };
 
 struct PartOptions {
-  double smoothAngle = 0;             // radians: facets that meet at less than this from flat form one side
+  double smoothAngle = 0; // radians: facets that meet at less than this from flat form one side
   const std::vector<bool> *everyFace = nullptr; // per simplex: true where each face is a side of its own
 };
 

@@ -6,8 +6,9 @@
 namespace dualblock {
 
 template <int N> struct BoundaryFaces {
-  std::vector<std::array<Index, 1 << (N - 1)>> faces; // node cycles, outward (3D), the domain on the left (2D)
-  std::vector<Index> facet;                           // surface of each: a facet of the prepared domain
+  std::vector<std::array<Index, 1 << (N - 1)>>
+      faces;                // node cycles, outward (3D), the domain on the left (2D)
+  std::vector<Index> facet; // surface of each: a facet of the prepared domain
 };
 
 /// By block, then axis.

@@ -20,7 +20,8 @@ bool operator==(const PrimalFace &a, const PrimalFace &b) {
 
 template <typename T> void sortUnique(std::vector<T> &items) {
   std::sort(items.begin(), items.end(), [](const T &a, const T &b) { return a < b; });
-  items.erase(std::unique(items.begin(), items.end(), [](const T &a, const T &b) { return a == b; }), items.end());
+  items.erase(std::unique(items.begin(), items.end(), [](const T &a, const T &b) { return a == b; }),
+              items.end());
 }
 
 PrimalEdge makeEdge(Index a, Index b, Index surface) { return {{std::min(a, b), std::max(a, b)}, surface}; }
@@ -55,7 +56,8 @@ public:
     const int a = dual_.pieces[at(inner)].slot(sideA);
     const int b = dual_.pieces[at(inner)].slot(sideB);
     if (a < 0 || b < 0) return;
-    faceSeen_[at(inner)] = static_cast<std::uint16_t>(faceSeen_[at(inner)] | 1U << (a * N + b) | 1U << (b * N + a));
+    faceSeen_[at(inner)] =
+        static_cast<std::uint16_t>(faceSeen_[at(inner)] | 1U << (a * N + b) | 1U << (b * N + a));
   }
 
   std::vector<PrimalEdge> edges() const {
@@ -85,7 +87,8 @@ public:
           }
           list.push_back(makeFace({inner.cell, dual_.pieces[at(onA)].cell, dual_.pieces[at(outer)].cell,
                                    dual_.pieces[at(onB)].cell},
-                                  surfaces_.ofSide[at(inner.sides[at(a)])], surfaces_.ofSide[at(inner.sides[at(b)])]));
+                                  surfaces_.ofSide[at(inner.sides[at(a)])],
+                                  surfaces_.ofSide[at(inner.sides[at(b)])]));
         }
     sortUnique(list);
     return list;
@@ -132,7 +135,8 @@ void walkContributions(const Contributions<N> &contributions, const DualCells<N>
         if (other.inner != step.inner || other.mask <= step.mask) continue;
         const ContributionSet far = classes.inside[step.outer] & ~contributionBit(other.mask);
         if (std::find(classes.inside.begin(), classes.inside.end(), far) == classes.inside.end()) continue;
-        if (sides.size() == 1 && sidesOf[other.mask].size() == 1) walk.meetFace(inner, sides[0], sidesOf[other.mask][0]);
+        if (sides.size() == 1 && sidesOf[other.mask].size() == 1)
+          walk.meetFace(inner, sides[0], sidesOf[other.mask][0]);
       }
     }
   }
@@ -141,8 +145,8 @@ void walkContributions(const Contributions<N> &contributions, const DualCells<N>
 /// Two D-bar-surfaces may also cross on a face of the reference mesh: their traces there are one (paper 4.3,
 /// case iii), and of the two the one inside on the left is the one outside on the right.
 template <int N>
-void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &contributions, const DualCells<N> &dual,
-                      DualWalk<N> &walk) {
+void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &contributions,
+                      const DualCells<N> &dual, DualWalk<N> &walk) {
   const auto &tables = RegionTables<N>::get();
   ClassCache<N> cache;
   const auto maskIn = [&](Index s, Index side) -> unsigned {
@@ -179,7 +183,8 @@ void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &cont
         for (const Contribution *out = contributions.ofSimplex.begin(s); out != end; ++out) {
           if (out->mask != (in->mask | apex)) continue;
           const unsigned apexThere = 1U << mesh.mirrorFace(s, i);
-          if ((maskIn(t, in->side) & apexThere) && !(maskIn(t, out->side) & apexThere)) crossAt(s, i, *in, *out);
+          if ((maskIn(t, in->side) & apexThere) && !(maskIn(t, out->side) & apexThere))
+            crossAt(s, i, *in, *out);
         }
       }
     }
@@ -189,13 +194,15 @@ void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &cont
 } // namespace
 
 template <int N>
-Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Contributions<N> &contributions, const DualCells<N> &dual,
+Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                      const Contributions<N> &contributions, const DualCells<N> &dual,
                       const DualSurfaces &surfaces) {
   Primal<N> primal;
   primal.nodeCount = dual.cellCount;
   primal.nodePiece.assign(at(dual.cellCount), kNone);
   for (std::size_t p = 0; p < dual.pieces.size(); ++p)
-    if (primal.nodePiece[at(dual.pieces[p].cell)] == kNone) primal.nodePiece[at(dual.pieces[p].cell)] = toIndex(p);
+    if (primal.nodePiece[at(dual.pieces[p].cell)] == kNone)
+      primal.nodePiece[at(dual.pieces[p].cell)] = toIndex(p);
 
   // From the blocks.
   std::vector<PrimalEdge> blockEdges;
@@ -229,8 +236,8 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const
         blockEdges.push_back(makeEdge(byBits[bits], byBits[bits | 1U << i], surface));
         for (int k = i + 1; k < N; ++k) {
           if (bits >> k & 1) continue;
-          blockFaces.push_back(makeFace({byBits[bits], byBits[bits | 1U << i], byBits[bits | 1U << i | 1U << k],
-                                         byBits[bits | 1U << k]},
+          blockFaces.push_back(makeFace({byBits[bits], byBits[bits | 1U << i],
+                                         byBits[bits | 1U << i | 1U << k], byBits[bits | 1U << k]},
                                         surface, surfaces.ofSide[at(block.sides[at(k)])]));
         }
       }
@@ -254,7 +261,9 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const
   return primal;
 }
 
-template Primal<2> buildPrimal(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &, const DualCells<2> &, const DualSurfaces &);
-template Primal<3> buildPrimal(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &, const DualCells<3> &, const DualSurfaces &);
+template Primal<2> buildPrimal(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &,
+                               const DualCells<2> &, const DualSurfaces &);
+template Primal<3> buildPrimal(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &,
+                               const DualCells<3> &, const DualSurfaces &);
 
 } // namespace dualblock

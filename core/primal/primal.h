@@ -33,29 +33,30 @@ struct PrimalEdge {
 };
 
 struct PrimalFace {
-  std::array<Index, 4> nodes; // in a cycle, from the lowest node towards its lower neighbour
+  std::array<Index, 4> nodes;    // in a cycle, from the lowest node towards its lower neighbour
   std::array<Index, 2> surfaces; // D-bar-surfaces whose crossing is dual to the face, ascending
 };
 
 template <int N> struct Primal {
-  Index nodeCount = 0;            // node k is D-bar-cell k
-  std::vector<PrimalEdge> edges;  // sorted
-  std::vector<PrimalFace> faces;  // sorted; in 2D the blocks themselves
-  std::vector<Block<N>> blocks;   // by part, then corner
-  std::vector<Vec<N>> positions;  // per node
-  std::vector<Index> nodePiece;   // per node: one of its cell pieces
+  Index nodeCount = 0;             // node k is D-bar-cell k
+  std::vector<PrimalEdge> edges;   // sorted
+  std::vector<PrimalFace> faces;   // sorted; in 2D the blocks themselves
+  std::vector<Block<N>> blocks;    // by part, then corner
+  std::vector<Vec<N>> positions;   // per node
+  std::vector<Index> nodePiece;    // per node: one of its cell pieces
   std::vector<std::string> faults; // what the two derivations, from the dual and from the blocks, differ in
 };
 
 /// Reads the primal off the D-bar-cells, without positions. Edges and faces are derived from the
 /// contributions and, independently, from the blocks; differences are listed in `faults`.
 template <int N>
-Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Contributions<N> &contributions, const DualCells<N> &dual,
+Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                      const Contributions<N> &contributions, const DualCells<N> &dual,
                       const DualSurfaces &surfaces);
 
-extern template Primal<2> buildPrimal(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &, const DualCells<2> &,
-                                      const DualSurfaces &);
-extern template Primal<3> buildPrimal(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &, const DualCells<3> &,
-                                      const DualSurfaces &);
+extern template Primal<2> buildPrimal(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &,
+                                      const DualCells<2> &, const DualSurfaces &);
+extern template Primal<3> buildPrimal(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &,
+                                      const DualCells<3> &, const DualSurfaces &);
 
 } // namespace dualblock

@@ -39,8 +39,7 @@ template <int N> struct Crossing {
 };
 
 /// Each facet's contacts between cells, one per facet and pair of cells.
-template <int N>
-std::vector<Crossing<N>> crossings(const RawFill<N> &fill, const std::vector<Index> &cell) {
+template <int N> std::vector<Crossing<N>> crossings(const RawFill<N> &fill, const std::vector<Index> &cell) {
   const ReferenceMesh<N> &mesh = fill.mesh;
   // Per facet face, which side the simplex is on; a flat simplex cannot tell, so the facet's best face does.
   std::vector<double> best(mesh.surfaces.size(), 0);
@@ -60,7 +59,8 @@ std::vector<Crossing<N>> crossings(const RawFill<N> &fill, const std::vector<Ind
 /// Which cells belong to the domain: between closed shells by parity, else by the facets' orientation where
 /// that is consistent, else all.
 template <int N>
-std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, Index cellCount, bool shellsAreClosed) {
+std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, Index cellCount,
+                              bool shellsAreClosed) {
   constexpr int kUnset = -1000;
   std::vector<int> depth(at(cellCount), kUnset);
   std::vector<int> winding(at(cellCount), kUnset);
@@ -122,7 +122,8 @@ template <int N> bool insideBox(const std::vector<Vec<N>> &vertices, const Vec<N
 }
 
 /// Drops the simplices outside, and tags those that remain.
-template <int N> void keepInside(RawFill<N> &fill, const std::vector<bool> &inside, const std::vector<Index> &cell) {
+template <int N>
+void keepInside(RawFill<N> &fill, const std::vector<bool> &inside, const std::vector<Index> &cell) {
   ReferenceMesh<N> &mesh = fill.mesh;
   std::vector<Index> moved(mesh.simplices.size(), kNone);
   Index next = 0;
@@ -150,7 +151,8 @@ template <int N> void keepInside(RawFill<N> &fill, const std::vector<bool> &insi
 
 /// Turns each outer facet's plane so that its normal points out, and tags every facet face by its side.
 template <int N>
-void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts, const std::vector<bool> &inside) {
+void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
+                  const std::vector<bool> &inside) {
   ReferenceMesh<N> &mesh = fill.mesh;
   std::vector<bool> cellIsBehind(mesh.surfaces.size(), true);
   for (std::size_t f = 0; f < contacts.size(); ++f) {
@@ -179,7 +181,8 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts, co
 } // namespace
 
 template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const FillOptions &options) {
-  auto made = domain.reference ? fillByGiven(domain, options.planarTolerance) : fillByTetgen(domain, options.edgeLength);
+  auto made = domain.reference ? fillByGiven(domain, options.planarTolerance)
+                               : fillByTetgen(domain, options.edgeLength);
   if (!made.ok()) return made.error();
   RawFill<N> &fill = made.value();
   ReferenceMesh<N> &mesh = fill.mesh;
@@ -189,7 +192,8 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   none.fill(kNone);
   mesh.tags.assign(mesh.simplices.size(), none);
   for (std::size_t f = 0; f < domain.facets.size(); ++f)
-    mesh.surfaces.push_back({SurfaceKind::facet, toIndex(f), facetPlane<N>(domain.vertices, domain.facets[f])});
+    mesh.surfaces.push_back(
+        {SurfaceKind::facet, toIndex(f), facetPlane<N>(domain.vertices, domain.facets[f])});
   for (std::size_t f = 0; f < fill.facetFaces.size(); ++f) { // provisional: only that there is a facet
     const auto [s, i] = fill.facetFaces[f];
     const Index t = mesh.neighbors[at(s)][i];
@@ -205,8 +209,9 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
     const Index s = locate(mesh, domain.holes[h]);
     if (s == kNone && !insideBox(domain.vertices, domain.holes[h]))
       return Error{ErrorCode::holeOutside,
-                   "Hole " + std::to_string(h) + " lies outside the domain: move its point into the cavity, or "
-                   "remove it.",
+                   "Hole " + std::to_string(h) +
+                       " lies outside the domain: move its point into the cavity, or "
+                       "remove it.",
                    {{"hole", static_cast<std::int64_t>(h)}}};
     if (s == kNone) continue; // a pocket that is open to the outside is empty anyway
     inside[at(cell[at(s)])] = false;
@@ -223,10 +228,12 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   orientFacets(fill, contacts, inside);
   keepInside(fill, inside, cell);
   if (mesh.simplices.empty())
-    return Error{ErrorCode::emptyDomain, "Nothing is left of the domain: its holes take away all that it encloses.", {}};
+    return Error{ErrorCode::emptyDomain,
+                 "Nothing is left of the domain: its holes take away all that it encloses.",
+                 {}};
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);
   if (options.seed > 0) splitRandomEdges(mesh, options.seed);
-  return Filled<N>{std::move(mesh), std::move(fill.remedy)};
+  return Filled<N>{std::move(mesh), std::move(fill.remedy), fill.tetgenMilliseconds};
 }
 
 template Result<Filled<2>> fillDomain(const Domain<2> &, const FillOptions &);

@@ -17,6 +17,7 @@ struct FillOptions {
 template <int N> struct Filled {
   ReferenceMesh<N> mesh; // surfaces 0 .. facets - 1 are the facets, their normals pointing out
   std::string remedy;    // see Tetrahedra
+  double tetgenMilliseconds = 0;
 };
 
 /// Fills a validated domain. Errors: those of runTetgen, referenceInvalid, holeOutside, regionOutside,

@@ -38,7 +38,8 @@ bool onFacet(const std::vector<Vec<2>> &vertices, const Facet &facet, const Plan
   return t > 0 && t < 1;
 }
 
-bool onFacet(const std::vector<Vec<3>> &vertices, const Facet &facet, const Plane<3> &plane, const Vec<3> &x) {
+bool onFacet(const std::vector<Vec<3>> &vertices, const Facet &facet, const Plane<3> &plane,
+             const Vec<3> &x) {
   const PlaneBasis basis(plane.normal);
   bool inside = false;
   for (const auto &loop : facet.loops) {
@@ -60,6 +61,7 @@ Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength) {
   Tetrahedra &tetrahedra = made.value();
   RawFill<3> fill;
   fill.remedy = tetrahedra.remedy;
+  fill.tetgenMilliseconds = tetrahedra.milliseconds;
   fill.mesh.nodes = std::move(tetrahedra.nodes);
   fill.mesh.simplices = std::move(tetrahedra.simplices);
   fill.mesh.neighbors = std::move(tetrahedra.neighbors);
@@ -68,7 +70,8 @@ Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength) {
   for (std::size_t f = 0; f < tetrahedra.faces.size(); ++f) {
     // TetGen may name a deleted simplex outside the hull as one of the two: take one that has the face.
     for (const Index s : tetrahedra.faceSimplices[f]) {
-      const int face = s < 0 || s >= fill.mesh.simplexCount() ? -1 : findFace<3>(fill.mesh, s, tetrahedra.faces[f]);
+      const int face =
+          s < 0 || s >= fill.mesh.simplexCount() ? -1 : findFace<3>(fill.mesh, s, tetrahedra.faces[f]);
       if (face < 0) continue;
       fill.facetFaces.push_back({s, face});
       fill.facetOfFace.push_back(tetrahedra.faceFacet[f]);
@@ -122,12 +125,14 @@ Result<RawFill<2>> fillByTetgen(const Domain<2> &domain, double) {
   const Tetrahedra &cone = made.value();
   RawFill<2> fill;
   fill.remedy = cone.remedy;
+  fill.tetgenMilliseconds = cone.milliseconds;
   fill.mesh.nodes = domain.vertices;
   for (std::size_t f = 0; f < cone.faces.size(); ++f) {
     if (at(cone.faceFacet[f]) >= bases.size()) continue;
     for (const Index v : cone.faces[f])
       if (v >= apex)
-        return Error{ErrorCode::tetgenFailed, "TetGen added a point to the plane domain: give a reference mesh.", {}};
+        return Error{
+            ErrorCode::tetgenFailed, "TetGen added a point to the plane domain: give a reference mesh.", {}};
     fill.mesh.simplices.push_back(cone.faces[f]);
   }
   orientPositively(fill.mesh);
@@ -170,7 +175,8 @@ template <int N> Result<RawFill<N>> fillByGiven(const Domain<N> &domain, double 
     for (int i = 0; i < N + 1; ++i) {
       if (fill.mesh.neighbors[at(s)][i] != kNone) continue;
       Vec<N> centre{0.0};
-      for (const Index v : fill.mesh.sortedFace(s, i)) centre += fill.mesh.nodes[at(v)] / static_cast<double>(N);
+      for (const Index v : fill.mesh.sortedFace(s, i))
+        centre += fill.mesh.nodes[at(v)] / static_cast<double>(N);
       Index found = kNone;
       for (std::size_t f = 0; f < planes.size() && found == kNone; ++f) {
         bool flat = true;
@@ -178,7 +184,8 @@ template <int N> Result<RawFill<N>> fillByGiven(const Domain<N> &domain, double 
           flat &= std::abs(planes[f].distance(fill.mesh.nodes[at(v)])) <= planarTolerance * size;
         if (flat && onFacet(domain.vertices, domain.facets[f], planes[f], centre)) found = toIndex(f);
       }
-      if (found == kNone) return invalid("has an outer face, of simplex " + std::to_string(s) + ", on no facet", s);
+      if (found == kNone)
+        return invalid("has an outer face, of simplex " + std::to_string(s) + ", on no facet", s);
       fill.facetFaces.push_back({s, i});
       fill.facetOfFace.push_back(found);
     }

@@ -10,10 +10,11 @@
 namespace dualblock {
 
 template <int N> struct RawFill {
-  ReferenceMesh<N> mesh;                 // connected; no tags, surfaces or regions yet
-  std::vector<FaceRef<N>> facetFaces;    // each face on a facet, seen from one side
+  ReferenceMesh<N> mesh;              // connected; no tags, surfaces or regions yet
+  std::vector<FaceRef<N>> facetFaces; // each face on a facet, seen from one side
   std::vector<Index> facetOfFace;
   std::string remedy;
+  double tetgenMilliseconds = 0;
 };
 
 Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength);

@@ -19,9 +19,9 @@ namespace dualblock {
 
 /// Where a surface of the decomposed domain comes from.
 enum class SurfaceKind : std::uint8_t {
-  facet,     // the domain's boundary, or an interface between two regions; source = facet
-  reflexCut, // a plane through a reflex curve; source = the curve's first domain facet
-  vertexCut, // a plane through a vertex of more than N curves; source = the node
+  facet,      // the domain's boundary, or an interface between two regions; source = facet
+  reflexCut,  // a plane through a reflex curve; source = the curve's first domain facet
+  vertexCut,  // a plane through a vertex of more than N curves; source = the node
   simplexFace // the fallback: every inner face of the reference mesh
 };
 
@@ -50,11 +50,11 @@ template <int N> struct ReferenceMesh {
   using Simplex = std::array<Index, kVertices>;
 
   std::vector<Vec<N>> nodes;
-  std::vector<Simplex> simplices;   // positively oriented
-  std::vector<Simplex> neighbors;   // across face i, or kNone
-  std::vector<Simplex> tags;        // FaceTag of face i, or kNone for an inner face
-  std::vector<Index> region;        // per simplex: the region of an assembly, 0 where there is one only
-  std::vector<Index> nodeSimplex;   // per node: one simplex that has it
+  std::vector<Simplex> simplices; // positively oriented
+  std::vector<Simplex> neighbors; // across face i, or kNone
+  std::vector<Simplex> tags;      // FaceTag of face i, or kNone for an inner face
+  std::vector<Index> region;      // per simplex: the region of an assembly, 0 where there is one only
+  std::vector<Index> nodeSimplex; // per node: one simplex that has it
   std::vector<Surface<N>> surfaces;
   double size = 0; // diagonal of the domain's bounding box: the scale of all tolerances
 
@@ -121,7 +121,8 @@ inline constexpr Index kCrossNone = 0x3fffffff;
 /// outer face or one on a surface below `crossFrom` stops it. Returns that face, or {s, from} after a full
 /// turn; `visit(simplex)` sees each simplex passed, s included.
 template <int N, typename Visit>
-FaceRef<N> turnAroundRidge(const ReferenceMesh<N> &mesh, Index s, int from, int to, Index crossFrom, Visit visit) {
+FaceRef<N> turnAroundRidge(const ReferenceMesh<N> &mesh, Index s, int from, int to, Index crossFrom,
+                           Visit visit) {
   const Index start = s;
   const int startFrom = from;
   while (true) {
@@ -140,8 +141,7 @@ FaceRef<N> turnAroundRidge(const ReferenceMesh<N> &mesh, Index s, int from, int 
 }
 
 /// All simplices around a node that hang together over faces, in the order found.
-template <int N>
-void collectStar(const ReferenceMesh<N> &mesh, Index node, std::vector<Index> &star) {
+template <int N> void collectStar(const ReferenceMesh<N> &mesh, Index node, std::vector<Index> &star) {
   star.assign(1, mesh.nodeSimplex[at(node)]);
   for (std::size_t head = 0; head < star.size(); ++head) {
     const Index s = star[head];

@@ -73,7 +73,8 @@ template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t see
 }
 
 template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges) {
-  for (auto &edge : edges) edge = std::minmax(edge.first, edge.second);
+  for (auto &[a, b] : edges)
+    if (a > b) std::swap(a, b);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   std::vector<WantedSplit> wanted;

@@ -141,7 +141,8 @@ void subdivide(ReferenceMesh<N> &mesh, std::span<const EdgeSplit> edges, std::ve
 template <int N> void splitFace(ReferenceMesh<N> &mesh, FaceRef<N> face) {
   const Index node = mesh.nodeCount();
   Vec<N> centre{0.0};
-  for (const Index v : mesh.sortedFace(face.simplex, face.face)) centre += mesh.nodes[at(v)] / static_cast<double>(N);
+  for (const Index v : mesh.sortedFace(face.simplex, face.face))
+    centre += mesh.nodes[at(v)] / static_cast<double>(N);
   mesh.nodes.push_back(centre);
   std::vector<FaceRef<N>> both{face};
   const Index other = mesh.neighbors[at(face.simplex)][face.face];

@@ -1,6 +1,7 @@
 #include "reference/tetgen_adaptor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -8,6 +9,8 @@
 
 #include "domain/polygon.h"
 #include "tetgen.h"
+
+void startTetgen(long long points); // core/toolchain/tetgen_unit.cpp
 
 namespace dualblock {
 namespace {
@@ -96,7 +99,8 @@ Tetrahedra readOutput(const tetgenio &out) {
       if (t < 0) continue;
       const auto &other = mesh.simplices[at(t)];
       for (std::size_t k = 0; k < 4; ++k)
-        if (std::find(other.begin(), other.end(), mesh.simplices[s][k]) == other.end()) mesh.neighbors[s][k] = t;
+        if (std::find(other.begin(), other.end(), mesh.simplices[s][k]) == other.end())
+          mesh.neighbors[s][k] = t;
     }
   for (std::size_t f = 0; f < static_cast<std::size_t>(out.numberoftrifaces); ++f) {
     if (out.trifacemarkerlist[f] <= 0) continue;
@@ -112,15 +116,17 @@ Error explain(int code) {
   case 1:
     return {ErrorCode::outOfMemory, "TetGen ran out of memory: refine less, or simplify the domain.", {}};
   case 3:
-    return {ErrorCode::selfIntersection,
-            "TetGen found that the boundary crosses itself: repair the surface so that facets meet only along "
-            "shared edges.",
-            {}};
+    return {
+        ErrorCode::selfIntersection,
+        "TetGen found that the boundary crosses itself: repair the surface so that facets meet only along "
+        "shared edges.",
+        {}};
   default:
-    return {ErrorCode::tetgenFailed,
-            "TetGen could not fill the domain, although its input was also tried with a wider tolerance, snapped "
-            "and shifted: look for facets that nearly touch, or give a reference mesh of your own.",
-            {}};
+    return {
+        ErrorCode::tetgenFailed,
+        "TetGen could not fill the domain, although its input was also tried with a wider tolerance, snapped "
+        "and shifted: look for facets that nearly touch, or give a reference mesh of your own.",
+        {}};
   }
 }
 
@@ -129,6 +135,7 @@ Error explain(int code) {
 Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
                              const TetgenOptions &options) {
   int lastCode = 2;
+  const auto start = std::chrono::steady_clock::now();
   for (const Attempt &attempt : kAttempts) {
     const bool plain = !attempt.snap && !attempt.shift;
     const std::vector<Vec<3>> points = plain ? vertices : altered(vertices, attempt, options.size);
@@ -140,6 +147,7 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
     tetgenio out;
     try {
       fillInput(in, points, facets);
+      startTetgen(static_cast<long long>(points.size()));
       tetrahedralize(switches, &in, &out);
     } catch (int code) {
       lastCode = code;
@@ -150,10 +158,12 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
       break;
     }
     if (out.numberoftetrahedra == 0) continue;
+    const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
     Tetrahedra mesh = readOutput(out);
     if (mesh.nodes.size() < vertices.size()) continue;
     std::copy(vertices.begin(), vertices.end(), mesh.nodes.begin());
     mesh.remedy = attempt.remedy;
+    mesh.milliseconds = spent.count();
     return mesh;
   }
   return explain(lastCode);

@@ -20,7 +20,8 @@ template <int N, typename Keep> BlockList<N> grid(std::array<Index, 3> size, Kee
         if (!keep(x, y, z)) continue;
         std::array<Index, 1 << N> block{};
         for (unsigned bits = 0; bits < 1U << N; ++bits)
-          block[at(vtkPlace<N>(bits))] = x + toIndex(bits & 1) + (size[0] + 1) * (y + toIndex(bits >> 1 & 1)) +
+          block[at(vtkPlace<N>(bits))] = x + toIndex(bits & 1) +
+                                         (size[0] + 1) * (y + toIndex(bits >> 1 & 1)) +
                                          (size[0] + 1) * (size[1] + 1) * (z + toIndex(bits >> 2));
         blocks.push_back(block);
       }

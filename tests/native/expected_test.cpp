@@ -35,7 +35,8 @@ template <typename Check> void forVariants(const std::string &name, Check check)
           EXPECT_TRUE(result.certificate.valid) << failuresOf(result.certificate);
           EXPECT_GT(minimumQuality(result), 0);
           EXPECT_GT(result.certificate.worstCoefficient, 0);
-          if (options.edgeLength > 0 && options.edgeLength < 0.5 && !domain.reference && result.fallbackComponents == 0) {
+          if (options.edgeLength > 0 && options.edgeLength < 0.5 && !domain.reference &&
+              result.fallbackComponents == 0) {
             EXPECT_GT(result.fillSimplices, 4); // that the mesh was indeed refined
           }
           check(result);
@@ -76,13 +77,15 @@ struct Bound {
 class Bounded : public ::testing::TestWithParam<Bound> {};
 
 TEST_P(Bounded, NoMoreBlocksThan) {
-  forVariants(GetParam().name, [&](const auto &result) { EXPECT_LE(result.primal.blocks.size(), GetParam().blocks); });
+  forVariants(GetParam().name,
+              [&](const auto &result) { EXPECT_LE(result.primal.blocks.size(), GetParam().blocks); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Bounded,
-                         ::testing::Values(Bound{"tetrahedron", 4}, Bound{"house", 10}, Bound{"notched_cube", 56},
-                                           Bound{"hexagonal_pyramid", 16}, Bound{"icosahedron", 60},
-                                           Bound{"vertex_end", 4}, Bound{"vertex_side", 8}, Bound{"vertex_corner", 12},
+                         ::testing::Values(Bound{"tetrahedron", 4}, Bound{"house", 10},
+                                           Bound{"notched_cube", 56}, Bound{"hexagonal_pyramid", 16},
+                                           Bound{"icosahedron", 60}, Bound{"vertex_end", 4},
+                                           Bound{"vertex_side", 8}, Bound{"vertex_corner", 12},
                                            Bound{"vertex_reversal", 16}, Bound{"two_holes_2d", 52}),
                          [](const auto &info) { return std::string(info.param.name); });
 
@@ -98,8 +101,8 @@ TEST_P(Rectangles, FourBlocks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Figures, Rectangles,
-                         ::testing::Values("square_2d_first", "square_2d_second", "end_vertex_1", "end_vertex_2",
-                                           "end_vertex_3", "end_vertex_4"),
+                         ::testing::Values("square_2d_first", "square_2d_second", "end_vertex_1",
+                                           "end_vertex_2", "end_vertex_3", "end_vertex_4"),
                          [](const auto &info) { return info.param; });
 
 // Figures 10 and 11: n triangles at the end vertex have n - 2 soft node contributions between hard ones.

@@ -1,6 +1,7 @@
 // The answer to the paper's open question (section 6): the block mesh does not depend on the reference mesh,
-// nor on the order, position and smallest changes of the input, as algorithm.md 2 derives from its conditions.
-// Where the fallback was used the blocks are the reference mesh's own, and the certificate alone is asked for.
+// nor on the order, position and smallest changes of the input, as algorithm.md 2 derives from its
+// conditions. Where the fallback was used the blocks are the reference mesh's own, and the certificate alone
+// is asked for.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -56,7 +57,8 @@ template <int N> void expectIndependence(const Domain<N> &domain) {
     }
     const auto here = canonicalForm<N>(blocksOf(result.primal));
     if (!form) form = here;
-    EXPECT_TRUE(*form == here) << result.primal.blocks.size() << " blocks, not isomorphic to those of the first variant";
+    EXPECT_TRUE(*form == here) << result.primal.blocks.size()
+                               << " blocks, not isomorphic to those of the first variant";
   }
 }
 

@@ -40,7 +40,8 @@ TEST_P(MidpointOracle, IsomorphicToThePrimal) {
       PipelineOptions options;
       options.edgeLength = edgeLength;
       options.seed = seed;
-      std::visit([&](const auto &domain) { expectMidpointSubdivision(run(domain, options)); }, loadExample(GetParam()));
+      std::visit([&](const auto &domain) { expectMidpointSubdivision(run(domain, options)); },
+                 loadExample(GetParam()));
     }
 }
 
@@ -48,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(Examples, MidpointOracle, ::testing::ValuesIn(computedE
                          [](const auto &info) { return info.param; });
 
 TEST(MidpointOracle, KnownSubdivisions) {
-  // The oracle against counts by hand: a polytope with c corners, e edges and f sides has c + e + f + 1 nodes,
-  // an edge per incidence between faces of neighbouring dimensions, and a block per corner.
+  // The oracle against counts by hand: a polytope with c corners, e edges and f sides has c + e + f + 1
+  // nodes, an edge per incidence between faces of neighbouring dimensions, and a block per corner.
   const auto tetrahedron = run(loadExample<3>("tetrahedron"));
   const auto oracle = midpointSubdivision(tetrahedron.mesh, tetrahedron.parts);
   EXPECT_EQ(oracle.nodes.size(), 4U + 6 + 4 + 1);

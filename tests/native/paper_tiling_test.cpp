@@ -48,7 +48,8 @@ std::vector<Triangle> place(const DisplayTriangulation<C, P, T> &table, const st
 }
 
 /// Triangles inside a convex polygon, disjoint, and of its area: they cover it.
-template <std::size_t C> void expectTiling(const std::vector<Triangle> &triangles, const std::array<Point, C> &corners) {
+template <std::size_t C>
+void expectTiling(const std::vector<Triangle> &triangles, const std::array<Point, C> &corners) {
   std::array<Point, C> polygon = corners;
   for (Point &p : polygon) p = {p[0] * kDisplayUnits, p[1] * kDisplayUnits};
   std::int64_t whole = 0;
@@ -60,8 +61,10 @@ template <std::size_t C> void expectTiling(const std::vector<Triangle> &triangle
     EXPECT_GT(area, 0) << "triangle " << a;
     sum += area;
     for (const Point &x : triangles[a])
-      for (std::size_t k = 0; k < C; ++k) EXPECT_GE(area2(polygon[k], polygon[(k + 1) % C], x), 0) << "triangle " << a;
-    for (std::size_t b = 0; b < a; ++b) EXPECT_TRUE(disjoint(triangles[a], triangles[b])) << a << " and " << b;
+      for (std::size_t k = 0; k < C; ++k)
+        EXPECT_GE(area2(polygon[k], polygon[(k + 1) % C], x), 0) << "triangle " << a;
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_TRUE(disjoint(triangles[a], triangles[b])) << a << " and " << b;
   }
   EXPECT_EQ(sum, whole);
 }
@@ -131,7 +134,9 @@ void expectCutByNone(const DisplayTriangulation<C, P, T> &table, const std::arra
       bool above = false;
       bool below = false;
       for (const auto &corner : corners) {
-        if (mask == own) EXPECT_EQ(level(corner, mask), 0); // it lies on its own contribution
+        if (mask == own) { // it lies on its own contribution
+          EXPECT_EQ(level(corner, mask), 0);
+        }
         above |= level(corner, mask) > 0;
         below |= level(corner, mask) < 0;
       }

@@ -42,16 +42,17 @@ TEST_P(Features, Counts) {
 
 INSTANTIATE_TEST_SUITE_P(
     Examples, Features,
-    ::testing::Values(Shape{"tetrahedron", 1, 4, 6, 4, true}, Shape{"tapered_brick", 1, 6, 12, 8, true},
-                      Shape{"extruded_pentagon", 1, 7, 15, 10, true}, Shape{"house", 1, 7, 15, 10, true},
-                      Shape{"double_pyramid", 1, 8, 12, 6, false}, Shape{"icosahedron", 1, 20, 30, 12, false},
-                      Shape{"hexagonal_pyramid", 1, 7, 12, 7, false}, Shape{"l_shape_extruded", 1, 8, 18, 12, true},
-                      Shape{"u_shape_extruded", 1, 10, 24, 16, true},
-                      // The ring's top and bottom are annuli; the protrusion's foot runs around a hole in its slab.
-                      Shape{"square_ring", 1, 10, 24, 16, false}, Shape{"protrusion", 1, 11, 24, 16, false},
-                      Shape{"notched_cube", 1, 9, 21, 14, true}, Shape{"square_2d", 1, 4, 4, 4, true},
-                      Shape{"pentagon_2d", 1, 5, 5, 5, true}, Shape{"l_shape_2d", 1, 6, 6, 6, true},
-                      Shape{"square_ring_2d", 1, 8, 8, 8, false}, Shape{"two_holes_2d", 1, 12, 12, 12, false}),
+    ::testing::Values(
+        Shape{"tetrahedron", 1, 4, 6, 4, true}, Shape{"tapered_brick", 1, 6, 12, 8, true},
+        Shape{"extruded_pentagon", 1, 7, 15, 10, true}, Shape{"house", 1, 7, 15, 10, true},
+        Shape{"double_pyramid", 1, 8, 12, 6, false}, Shape{"icosahedron", 1, 20, 30, 12, false},
+        Shape{"hexagonal_pyramid", 1, 7, 12, 7, false}, Shape{"l_shape_extruded", 1, 8, 18, 12, true},
+        Shape{"u_shape_extruded", 1, 10, 24, 16, true},
+        // The ring's top and bottom are annuli; the protrusion's foot runs around a hole in its slab.
+        Shape{"square_ring", 1, 10, 24, 16, false}, Shape{"protrusion", 1, 11, 24, 16, false},
+        Shape{"notched_cube", 1, 9, 21, 14, true}, Shape{"square_2d", 1, 4, 4, 4, true},
+        Shape{"pentagon_2d", 1, 5, 5, 5, true}, Shape{"l_shape_2d", 1, 6, 6, 6, true},
+        Shape{"square_ring_2d", 1, 8, 8, 8, false}, Shape{"two_holes_2d", 1, 12, 12, 12, false}),
     [](const auto &info) { return std::string(info.param.name); });
 
 template <int N> std::vector<double> sortedAngles(const Parts<N> &parts) {
@@ -72,8 +73,10 @@ TEST(Angles, OfTheExamples) {
   brick.push_back(270);
   expectAngles(sortedAngles(buildParts(fill(loadExample<3>("l_shape_extruded"), 0.5), {})), brick);
   const double dihedral = std::acos(-1.0 / 3) / kDegree; // of the octahedron
-  expectAngles(sortedAngles(buildParts(fill(loadExample<3>("double_pyramid")), {})), std::vector<double>(12, dihedral));
-  expectAngles(sortedAngles(buildParts(fill(loadExample<2>("pentagon_2d")), {})), std::vector<double>(5, 108));
+  expectAngles(sortedAngles(buildParts(fill(loadExample<3>("double_pyramid")), {})),
+               std::vector<double>(12, dihedral));
+  expectAngles(sortedAngles(buildParts(fill(loadExample<2>("pentagon_2d")), {})),
+               std::vector<double>(5, 108));
 }
 
 // Figure 2: the interior angle of vertex 0 in the four vertex examples.
@@ -121,8 +124,8 @@ TEST(SectorPlanes, CountAndSectors) {
 }
 
 TEST(Decompose, PartsBecomeConvexAndSimple) {
-  for (const char *name : {"l_shape_extruded", "u_shape_extruded", "square_ring", "protrusion", "notched_cube",
-                           "double_pyramid", "hexagonal_pyramid"}) {
+  for (const char *name : {"l_shape_extruded", "u_shape_extruded", "square_ring", "protrusion",
+                           "notched_cube", "double_pyramid", "hexagonal_pyramid"}) {
     SCOPED_TRACE(name);
     const auto result = run(loadExample<3>(name));
     for (const PartInfo &part : result.parts.parts) EXPECT_TRUE(part.simple) << part.why;

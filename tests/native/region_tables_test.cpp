@@ -72,9 +72,9 @@ template <int N> std::set<ContributionSet> tableRegions() {
 }
 
 TEST(FourierMotzkin, DecidesSmallSystems) {
-  EXPECT_TRUE(feasible({{1, 0}, {-1, 1}}));          // 0 < x < 1
-  EXPECT_FALSE(feasible({{1, 0}, {-1, 0}}));         // 0 < x < 0
-  EXPECT_FALSE(feasible({{2, -1}, {-2, 1}}));        // x > 1/2 and x < 1/2
+  EXPECT_TRUE(feasible({{1, 0}, {-1, 1}}));   // 0 < x < 1
+  EXPECT_FALSE(feasible({{1, 0}, {-1, 0}}));  // 0 < x < 0
+  EXPECT_FALSE(feasible({{2, -1}, {-2, 1}})); // x > 1/2 and x < 1/2
   EXPECT_TRUE(feasible({{1, 0, 0}, {0, 1, 0}, {-1, -1, 1}}));
   EXPECT_FALSE(feasible({{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}));
   EXPECT_TRUE(feasible({{1, 1, 0}, {1, -1, 0}, {-3, 1, 1}}));
@@ -153,7 +153,8 @@ template <int N> void expectFacesAgree() {
           const auto &mine = tables.onFace(i, faceOrder<N>(left, i));
           const auto &theirs = tables.onFace(k, faceOrder<N>(right, k));
           for (std::size_t r = 0; r < mine.size(); ++r)
-            EXPECT_EQ((traces<N>(tables.regions()[mine[r]], i, left)), (traces<N>(tables.regions()[theirs[r]], k, right)));
+            EXPECT_EQ((traces<N>(tables.regions()[mine[r]], i, left)),
+                      (traces<N>(tables.regions()[theirs[r]], k, right)));
           ++compared;
         }
       } while (std::next_permutation(face.begin(), face.end()));
@@ -181,8 +182,12 @@ TYPED_TEST(Regions2And3, MonotoneExclusiveAndSymmetric) {
     for (unsigned a = 1; a < full; ++a) {
       EXPECT_FALSE(has(region, a) && has(region, full & ~a));
       for (unsigned b = 1; b < full; ++b) {
-        if ((a & b) == a) EXPECT_TRUE(!has(region, a) || has(region, b));
-        if (has(region, a) && has(region, b)) EXPECT_NE(a & b, 0U);
+        if ((a & b) == a) {
+          EXPECT_TRUE(!has(region, a) || has(region, b));
+        }
+        if (has(region, a) && has(region, b)) {
+          EXPECT_NE(a & b, 0U);
+        }
       }
     }
     std::array<unsigned, N + 1> to;
@@ -214,7 +219,8 @@ TYPED_TEST(Regions2And3, ClassesAgainstBruteForce) {
   for (int k = 0; k < 200; ++k) sets.push_back(static_cast<ContributionSet>(random() & ((1U << full) - 2)));
   for (const ContributionSet present : sets) {
     std::set<ContributionSet> expected;
-    for (const ContributionSet region : regions) expected.insert(static_cast<ContributionSet>(region & present));
+    for (const ContributionSet region : regions)
+      expected.insert(static_cast<ContributionSet>(region & present));
     const auto classes = tables.classes(present);
     EXPECT_EQ(std::set<ContributionSet>(classes.inside.begin(), classes.inside.end()), expected);
     EXPECT_EQ(classes.inside.size(), expected.size()) << "a class occurs twice";

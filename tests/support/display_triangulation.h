@@ -18,6 +18,7 @@ template <std::size_t Corners, std::size_t Points, std::size_t Triangles> struct
   std::array<std::array<int, 3>, Triangles> triangles;
 };
 
+// clang-format off
 //   0 1 2 q1 q2 q3, 3 4 q121 q122, 5 6 q231 q232, 7 8 q311 q312, 9 10 11 p1 p2 p3
 inline constexpr DisplayTriangulation<3, 12, 13> kFaceDisplay{
     {{{16, 0, 0}, {0, 16, 0}, {0, 0, 16}, {12, 4, 0}, {4, 12, 0}, {0, 12, 4},
@@ -30,10 +31,12 @@ inline constexpr DisplayTriangulation<3, 12, 13> kFaceDisplay{
 inline constexpr DisplayTriangulation<4, 10, 10> kEdgeDisplay{
     {{{16, 0, 0, 0}, {0, 16, 0, 0}, {0, 0, 16, 0}, {0, 0, 0, 16}, {0, 12, 4, 0},
       {0, 4, 12, 0}, {4, 0, 0, 12}, {12, 0, 0, 4}, {7, 7, 1, 1}, {1, 1, 7, 7}}},
-    {{{0, 1, 8}, {1, 4, 8}, {4, 7, 8}, {7, 0, 8}, {6, 4, 5}, {7, 4, 6}, {2, 3, 9}, {3, 6, 9}, {6, 5, 9}, {5, 2, 9}}}};
-inline constexpr int kEdgeDisplayCorrected = 5;                          // of kEdgeDisplay.triangles
+    {{{0, 1, 8}, {1, 4, 8}, {4, 7, 8}, {7, 0, 8}, {6, 4, 5},
+      {7, 4, 6}, {2, 3, 9}, {3, 6, 9}, {6, 5, 9}, {5, 2, 9}}}};
+inline constexpr std::size_t kEdgeDisplayCorrected = 5;                // of kEdgeDisplay.triangles
 inline constexpr std::array<int, 3> kEdgeDisplayAsPrinted = {7, 5, 6}; // {r412, r232, r411}
 
 inline constexpr DisplayTriangulation<3, 3, 1> kNodeDisplay{{{{16, 0, 0}, {0, 16, 0}, {0, 0, 16}}}, {{{0, 1, 2}}}};
+// clang-format on
 
 } // namespace dualblock::test

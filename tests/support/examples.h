@@ -30,7 +30,9 @@ inline AnyDomain loadExample(const std::string &name) {
   return std::move(read.value());
 }
 
-template <int N> Domain<N> loadExample(const std::string &name) { return std::get<Domain<N>>(loadExample(name)); }
+template <int N> Domain<N> loadExample(const std::string &name) {
+  return std::get<Domain<N>>(loadExample(name));
+}
 
 /// The names in public/examples/index.json, in its order.
 inline std::vector<std::string> exampleNames() {
@@ -44,7 +46,8 @@ inline std::vector<std::string> exampleNames() {
 inline std::vector<std::string> computedExampleNames() {
   std::vector<std::string> names;
   for (const std::string &name : exampleNames())
-    if (std::visit([](const auto &d) { return d.contributions.empty(); }, loadExample(name))) names.push_back(name);
+    if (std::visit([](const auto &d) { return d.contributions.empty(); }, loadExample(name)))
+      names.push_back(name);
   return names;
 }
 
@@ -56,7 +59,8 @@ template <int N> PipelineResult<N> run(const Domain<N> &domain, const PipelineOp
 }
 
 /// The reference mesh alone, as the pipeline makes it.
-template <int N> ReferenceMesh<N> fill(const Domain<N> &domain, double edgeLength = 0, std::uint32_t seed = 0) {
+template <int N>
+ReferenceMesh<N> fill(const Domain<N> &domain, double edgeLength = 0, std::uint32_t seed = 0) {
   auto prepared = prepareDomain(domain, PipelineOptions{}.tolerance);
   if (!prepared.ok()) throw std::runtime_error(domain.name + ": " + prepared.error().message);
   FillOptions options;

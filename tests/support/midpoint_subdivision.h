@@ -83,7 +83,8 @@ private:
     const Nodes *found = nullptr;
     for (std::size_t c = 0; c < parts_.curves.size(); ++c) {
       const Curve<N> &curve = parts_.curves[c];
-      if (curve.part != corner.part || curve.sides != sortedPair(a, b) || !curveEnds_[c].count(corner.node)) continue;
+      if (curve.part != corner.part || curve.sides != sortedPair(a, b) || !curveEnds_[c].count(corner.node))
+        continue;
       if (found) throw std::invalid_argument("two curves between the same sides end at one corner");
       found = &curveEnds_[c];
     }
@@ -121,14 +122,15 @@ private:
 
   const ReferenceMesh<N> &mesh_;
   const Parts<N> &parts_;
-  std::map<Index, Nodes> cornersOf_;    // per part
-  std::vector<Nodes> sideCorners_;      // per side
-  std::vector<Nodes> curveEnds_;        // per curve (3D)
+  std::map<Index, Nodes> cornersOf_; // per part
+  std::vector<Nodes> sideCorners_;   // per side
+  std::vector<Nodes> curveEnds_;     // per curve (3D)
   MidpointSubdivision<N> result_;
 };
 
 /// Throws where a part is not simple, and so has no midpoint subdivision.
-template <int N> MidpointSubdivision<N> midpointSubdivision(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
+template <int N>
+MidpointSubdivision<N> midpointSubdivision(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
   return MidpointSubdivider<N>(mesh, parts).build();
 }
 

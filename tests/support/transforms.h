@@ -75,7 +75,8 @@ template <int N> Domain<N> renumbered(const Domain<N> &domain, std::uint32_t see
       if (N == 3) std::rotate(loop.begin(), loop.begin() + random() % loop.size(), loop.end());
     }
   if (N == 3)
-    for (std::size_t k = result.facets.size(); k > 1; --k) std::swap(result.facets[k - 1], result.facets[random() % k]);
+    for (std::size_t k = result.facets.size(); k > 1; --k)
+      std::swap(result.facets[k - 1], result.facets[random() % k]);
   if (result.reference) {
     for (std::size_t v = 0; v < n; ++v) result.reference->nodes[at(to[v])] = domain.vertices[v];
     for (auto &simplex : result.reference->simplices)

@@ -1,0 +1,227 @@
+// The command line as scripts meet it: exit statuses, what goes to which stream, files, reports, determinism.
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Report } from '../../wasm/report.ts';
+import { examples, repositoryFile } from './support/core.ts';
+import { asFiles, box, textStl } from './support/solids.ts';
+
+const program = fileURLToPath(new URL('../../wasm/cli/dualblock.mjs', import.meta.url));
+const { version } = JSON.parse(repositoryFile('package.json').toString()) as { version: string };
+
+let folder: string;
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'dualblock-'));
+});
+afterAll(() => rmSync(folder, { recursive: true }));
+
+/** Runs the program in the folder of this test. */
+function dualblock(...words: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...words], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
+  expect(stderr).not.toMatch(/^\s+at /m); // no stack trace, whatever happens
+  expect(stdout).not.toMatch(/^\s+at /m);
+  return { status, stdout, stderr };
+}
+
+const fileIn = (name: string): string => readFileSync(join(folder, name), 'utf8');
+const write = (name: string, content: string | Uint8Array): void =>
+  writeFileSync(join(folder, name), content);
+
+describe('a certified mesh', () => {
+  it('goes into a file, and its report alone to standard output', () => {
+    const { status, stdout, stderr } = dualblock(
+      '--example',
+      'square_ring',
+      '-o',
+      'ring.vtk',
+      '--report',
+      '-',
+    );
+    expect(status).toBe(0);
+    const report = JSON.parse(stdout) as Report;
+    expect(report).toMatchObject({
+      format: 'dualblock-report/1',
+      version,
+      settings: { edgeLength: 0, seed: 0 },
+      input: { name: 'square_ring', dimension: 3 },
+      reference: { refinement: 'coarse', cuts: 8 },
+      primal: { nodes: 144, edges: 336, faces: 256, blocks: 64 },
+      certificate: { valid: true, failures: [] },
+    });
+    expect(report.timings).toHaveProperty('certificate');
+    expect(report.peakMemory).toBeGreaterThan(0);
+    expect(stderr).toMatch(/^domain\n(.*\n)*certificate\n$/);
+
+    const lines = fileIn('ring.vtk').split('\n');
+    const types = lines.indexOf('CELL_TYPES 64');
+    expect(types).toBeGreaterThan(0);
+    expect(lines.slice(types + 1, types + 65)).toEqual(new Array(64).fill('12'));
+    expect(lines[types + 65]).toBe('CELL_DATA 64');
+  });
+
+  it('is summed up for people otherwise', () => {
+    const { status, stdout } = dualblock('--example', 'pentagon_2d');
+    expect(status).toBe(0);
+    expect(stdout).toMatch(/5 blocks \(quadrilaterals\), 11 nodes, 15 edges/);
+    expect(stdout).toMatch(/certified/);
+  });
+
+  it('can be written in every format at once, with the report in a file', () => {
+    const words = ['-o', 'a.vtk', '-o', 'a.mesh', '-o', 'a.json', '--report', 'a-report.json', '--quiet'];
+    expect(dualblock('--example', 'house', ...words)).toMatchObject({ status: 0, stderr: '' });
+    expect(fileIn('a.mesh')).toMatch(/Hexahedra\n10\n/);
+    const mesh = JSON.parse(fileIn('a.json')) as { format: string; primal: { blocks: number[] } };
+    expect(mesh.format).toBe('dualblock-mesh/1');
+    expect(mesh.primal.blocks).toHaveLength(80);
+    expect(mesh).not.toHaveProperty('timings');
+    expect((JSON.parse(fileIn('a-report.json')) as Report).primal.blocks).toBe(10);
+  });
+
+  it.each(asFiles(box([0, 0, 0], [3, 2, 1])))('of a .%s file (%s)', (extension, _what, file) => {
+    write(`box.${extension}`, file);
+    const { status, stdout } = dualblock(`box.${extension}`, '--quiet');
+    expect(status).toBe(0);
+    expect(stdout).toMatch(/: 8 blocks/);
+  });
+
+  it('takes the settings', () => {
+    const words = ['--reference', '0.9', '--seed', '5', '--tolerance', '1e-7', '--report', '-', '--quiet'];
+    const { status, stdout } = dualblock('--example', 'tapered_brick', ...words);
+    expect(status).toBe(0);
+    const report = JSON.parse(stdout) as Report;
+    expect(report.settings).toEqual({ edgeLength: 0.9, seed: 5, tolerance: 1e-7, featureAngle: 0 });
+    expect(report.reference.refinement).toBe(0.9);
+    expect(report.primal.blocks).toBe(8);
+  });
+});
+
+describe('exit status 1: bad input', () => {
+  it.each([
+    ['open.stl', textStl({ ...box([0, 0, 0], [1, 1, 1]), facets: [[0, 3, 2, 1]] }), 'tooFewFacets'],
+    ['garbage.off', '\u0000\u0001\u0002', 'syntax'],
+    ['empty.json', '', 'fileEmpty'],
+    ['cut.poly', '8 3 0 0\n1 0 0 0\n', 'fileTruncated'],
+    ['part.step', 'ISO', 'formatUnknown'],
+  ])('%s', (name, text, code) => {
+    write(name, text);
+    const { status, stdout, stderr } = dualblock(name, '--quiet', '-o', `${name}.vtk`);
+    expect(status).toBe(1);
+    expect(stdout).toBe('');
+    expect(stderr).toMatch(new RegExp(`^dualblock: ${name}: .* \\[${code}\\]\n$`));
+    expect(readdirSync(folder)).not.toContain(`${name}.vtk`);
+  });
+
+  it('a file that is not there, with a report of the error', () => {
+    const { status, stdout } = dualblock('nowhere.json', '--report', '-', '--quiet');
+    expect(status).toBe(1);
+    expect(JSON.parse(stdout)).toMatchObject({
+      format: 'dualblock-report/1',
+      version,
+      input: { name: 'nowhere.json' },
+      error: { code: 'fileUnreadable', entities: [{ kind: 'file', index: 0 }] },
+    });
+  });
+
+  it('a folder', () => {
+    expect(dualblock('../', '--quiet').status).toBe(1);
+    expect(dualblock('.json', '--quiet').status).toBe(1);
+  });
+});
+
+describe('exit status 2: bad usage', () => {
+  it.each([
+    [[], /there is no input/],
+    [['--exampel', 'house'], /did you mean --example/],
+    [['--example', 'hose'], /there is no example "hose".*--list-examples/],
+    [['--example', '../index'], /there is no example/],
+    [['--example', 'house', '--seed', 'x'], /--seed cannot be "x"/],
+    [['--example', 'house', '-o', 'mesh.stp'], /unknown extension.*\.vtk/],
+    [['--example', 'house', '-o', 'no/such/folder/mesh.vtk'], /cannot be written/],
+    [['--example', 'house', '--report', 'no/such/folder/report.json'], /cannot be written/],
+    [['--example', 'figure_12c', '-o', 'mesh.vtk'], /makes no mesh/],
+    [['a.json', 'b.json'], /there are 2 inputs/],
+  ])('%j', (words, message) => {
+    const { status, stderr } = dualblock('--quiet', ...words);
+    expect(status).toBe(2);
+    expect(stderr).toMatch(message);
+    expect(stderr.trim().split('\n')).toHaveLength(1);
+  });
+});
+
+describe('exit status 3: no valid mesh', () => {
+  it.each(['figure_12a', 'figure_12b'])('%s, and no file', (name) => {
+    const words = ['--report', '-', '--quiet', '-o', `${name}.vtk`];
+    const { status, stdout } = dualblock('--example', name, ...words);
+    expect(status).toBe(3);
+    const { certificate } = JSON.parse(stdout) as Report;
+    expect(certificate).toMatchObject({ valid: false, matching: false, cells: null });
+    expect(certificate.failures[0]?.message).toMatch(/node/);
+    expect(readdirSync(folder)).not.toContain(`${name}.vtk`);
+  });
+
+  it('says for people what does not match', () => {
+    expect(dualblock('--example', 'figure_12a').stdout).toMatch(/do not match/);
+    expect(dualblock('--example', 'figure_12c').status).toBe(0);
+  });
+});
+
+describe('words', () => {
+  it('--list-examples', () => {
+    const { status, stdout, stderr } = dualblock('--list-examples');
+    expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+    expect(stdout.trim().split('\n')).toHaveLength(examples.length);
+    for (const { name, dimension } of examples)
+      expect(stdout).toMatch(new RegExp(`^${name} +${dimension}D  \\S`, 'm'));
+    expect(stdout).toContain('Tapered brick (Figure 13(a))');
+  });
+
+  it('--version and --help', () => {
+    expect(dualblock('--version')).toEqual({ status: 0, stdout: `${version}\n`, stderr: '' });
+    expect(dualblock('--help').stdout).toMatch(/usage: dualblock INPUT/);
+  });
+
+  it('--quiet leaves standard error empty', () => {
+    expect(dualblock('--example', 'square_2d', '--quiet').stderr).toBe('');
+  });
+});
+
+describe('determinism', () => {
+  it('two runs write the same bytes, and the same report apart from timings and memory', () => {
+    const run = (name: string): Partial<Report> => {
+      const outputs = ['vtk', 'mesh', 'json'].flatMap((extension) => ['-o', `${name}.${extension}`]);
+      const words = [
+        '--example',
+        'notched_cube',
+        '--reference',
+        '0.7',
+        '--seed',
+        '11',
+        '--quiet',
+        '--report',
+        '-',
+      ];
+      const { timings, peakMemory, ...rest } = JSON.parse(dualblock(...words, ...outputs).stdout) as Report;
+      expect(timings).toBeDefined();
+      expect(peakMemory).toBeDefined();
+      return rest;
+    };
+    expect(run('first')).toEqual(run('second'));
+    for (const extension of ['vtk', 'mesh', 'json'])
+      expect(fileIn(`first.${extension}`) === fileIn(`second.${extension}`)).toBe(true);
+  });
+});
+
+it('a reader that stops reading is no defect', () => {
+  const { status, stderr } = spawnSync(
+    'sh',
+    ['-c', `"${process.execPath}" "${program}" --example icosahedron --report - --quiet | head -c 10`],
+    { encoding: 'utf8' },
+  );
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+});

@@ -1,0 +1,84 @@
+// The WebAssembly core in Node, the example domains as bytes, and results as digests.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { Dualblock, type Settings } from '../../../wasm/dualblock.ts';
+import { DualblockError } from '../../../wasm/io/errors.ts';
+import type { RunResult } from '../../../wasm/result.ts';
+import { bytesOf, type Input } from './surface-files.ts';
+
+const root = new URL('../../../', import.meta.url);
+const wasmBinary = readFileSync(new URL('wasm/build/dualblock.wasm', root));
+
+/** A core of its own: its memory is nobody else's. */
+export const startCore = (): Promise<Dualblock> => Dualblock.create({ wasmBinary });
+
+/** A file of the repository. */
+export const repositoryFile = (path: string): Buffer => readFileSync(new URL(path, root));
+
+export const exampleBytes = (name: string): Buffer => repositoryFile(`public/examples/${name}.json`);
+
+interface ExampleIndex {
+  examples: { name: string; title: string; figure: string; dimension: 2 | 3 }[];
+}
+export const examples = (JSON.parse(repositoryFile('public/examples/index.json').toString()) as ExampleIndex)
+  .examples;
+
+/** Loads a file, given as text or bytes, and runs it. */
+export function runFile(
+  core: Dualblock,
+  name: string,
+  input: Input,
+  settings: Partial<Settings> = {},
+): RunResult {
+  core.load(name, bytesOf(input));
+  return core.run(settings);
+}
+
+export const runExample = (core: Dualblock, name: string, settings: Partial<Settings> = {}): RunResult =>
+  runFile(core, `${name}.json`, exampleBytes(name), settings);
+
+/** Nodes, edges, faces and blocks of the mesh. */
+export const countsOf = ({ dimension, primal }: RunResult) => ({
+  nodes: primal.positions.length / dimension,
+  edges: primal.edges.length / 2,
+  faces: primal.faces.length / 4,
+  blocks: primal.quality.length,
+});
+
+/** Calls visit(path, value) for every value that is no plain object, in a fixed order. */
+export function walk(value: unknown, visit: (path: string, value: unknown) => void, path = ''): void {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) {
+    visit(path, value);
+    return;
+  }
+  for (const [key, item] of Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1)))
+    walk(item, visit, path ? `${path}.${key}` : key);
+}
+
+/** A hash of every bit of a result except the timings, path by path, so that a difference names its place. */
+export function digest({ timings: _, ...result }: RunResult): Record<string, string> {
+  const hashes: Record<string, string> = {};
+  walk(result, (path, value) => {
+    const hash = createHash('sha256');
+    if (ArrayBuffer.isView(value))
+      hash.update(new Uint8Array(value.buffer, value.byteOffset, value.byteLength));
+    else hash.update(`${typeof value} ${String(value)}`);
+    hashes[path] = hash.digest('hex').slice(0, 16);
+  });
+  return hashes;
+}
+
+/** The DualblockError that `work` throws; fails for anything else. */
+export function errorOf(work: () => unknown): DualblockError {
+  try {
+    work();
+  } catch (error) {
+    if (error instanceof DualblockError) return error;
+    throw error;
+  }
+  throw new Error('there was no error');
+}
+
+/** Entities in short: "facet 3,vertex 0". */
+export const entitiesOf = (error: DualblockError): string =>
+  error.entities.map(({ kind, index }) => `${kind} ${index}`).join();

@@ -1,0 +1,30 @@
+// What a run can be asked for, and what can be loaded; without the core, so that the page can have it for little.
+import { DualblockError } from './io/errors.ts';
+
+export interface Settings {
+  /** Longest edge of the reference mesh, in the units of the input; 0 for the coarsest. */
+  edgeLength: number;
+  /** Over 0: vary the reference mesh at random; 0 to 2^32 - 1. */
+  seed: number;
+  /** Of planarity, relative to the size of the domain. */
+  tolerance: number;
+  /** Degrees: facets that meet at less than this from flat form one side. */
+  featureAngle: number;
+}
+
+export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 0 };
+
+/** File name extensions that can be loaded. */
+export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;
+export type InputFormat = (typeof inputFormats)[number];
+
+/** The format that a file's name announces. Throws `formatUnknown`. */
+export function formatOf(fileName: string): InputFormat {
+  const extension = fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
+  const format = inputFormats.find((f) => f === extension);
+  if (format) return format;
+  const known = inputFormats.map((f) => `.${f}`).join(' ');
+  throw new DualblockError('formatUnknown', `${fileName} has an unknown extension: use one of ${known}.`, [
+    { kind: 'file', index: 0 },
+  ]);
+}
