@@ -211,7 +211,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   if (isCoarse) coarse = r.mesh;
 
   clock.start("features", 0.3);
-  PartOptions partOptions{options.featureAngle, nullptr};
+  PartOptions partOptions;
   r.features = buildParts(r.mesh, partOptions);
   r.featureNodes = r.mesh.nodes;
 
@@ -219,7 +219,6 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   DecomposeOptions decomposeOptions;
   decomposeOptions.tolerance = 3e-9 * r.mesh.size + 2 * r.domain.deviation;
   decomposeOptions.flatAngle = 1e-7 + 100 * r.domain.deviation / r.mesh.size;
-  decomposeOptions.smoothAngle = options.featureAngle;
   decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
   decomposeOptions.blockLimit = [&] {
     const ReferenceMesh<N> *const mesh = needCoarse();
@@ -265,6 +264,12 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
     if (const ReferenceMesh<N> *const mesh = needCoarse()) {
       FallbackMesh<N> fallback = applyFallback(r.mesh, *mesh, replace);
       r.mesh = std::move(fallback.mesh);
+      if (std::find(replace.begin(), replace.end(), false) ==
+          replace.end()) { // nothing of the cut mesh is left
+        r.cuts = 0;
+        r.repairs = 0;
+        r.fillSimplices = mesh->simplexCount();
+      }
       everyFace = std::move(fallback.everyFace);
       partOptions.everyFace = &everyFace;
       r.fallbackComponents =

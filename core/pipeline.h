@@ -14,7 +14,6 @@ struct PipelineOptions {
   double edgeLength = 0;   // of the reference mesh; 0: as coarse as TetGen makes it
   std::uint32_t seed = 0;  // > 0: vary the reference mesh at random
   double tolerance = 1e-6; // of planarity, relative to the domain's size
-  double featureAngle = 0; // radians: facets that meet at less than this from flat form one side
 };
 
 /// Called before each stage with its name and the share of the work done, 0 to 1.

@@ -5,7 +5,6 @@
 
 #include <limits>
 #include <new>
-#include <numbers>
 #include <optional>
 
 #include "geometry/jacobian.h"
@@ -188,7 +187,7 @@ template <typename Work> val guarded(Work work) {
   }
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle (radians)}, every one a number in its range.
+/// settings: {edgeLength, seed, tolerance}, every one a number in its range.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -206,9 +205,8 @@ Result<PipelineOptions> readOptions(const val &settings) {
   const double seed = take("seed", 0, Seed::max(), "a number from 0 to 4294967295.");
   const double tolerance =
       take("tolerance", Double::min(), 1 - Double::epsilon(), "a number over 0 and under 1.");
-  const double featureAngle = take("featureAngle", 0, std::numbers::pi, "an angle from 0 to 180 degrees.");
   if (wrong) return *wrong;
-  return PipelineOptions{edgeLength, static_cast<std::uint32_t>(seed), tolerance, featureAngle};
+  return PipelineOptions{edgeLength, static_cast<std::uint32_t>(seed), tolerance};
 }
 
 /// One domain at a time: load it, run it as often as wanted. A load that fails leaves the last domain.

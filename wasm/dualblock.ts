@@ -44,8 +44,7 @@ export class Dualblock {
 
   /** Runs every stage on the loaded domain. Throws a DualblockError for bad input. */
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
-    const { featureAngle, ...rest } = { ...defaultSettings, ...settings };
-    const answer = this.session.run({ ...rest, featureAngle: (featureAngle * Math.PI) / 180 }, progress);
+    const answer = this.session.run({ ...defaultSettings, ...settings }, progress);
     return answer.ok ? answer : raise(answer.error);
   }
 

@@ -6,7 +6,6 @@ declare module '*/build/dualblock.mjs' {
     edgeLength: number;
     seed: number;
     tolerance: number;
-    featureAngle: number;
   }
 
   export interface RawSession {

@@ -8,11 +8,9 @@ export interface Settings {
   seed: number;
   /** Of planarity, relative to the size of the domain. */
   tolerance: number;
-  /** Degrees: facets that meet at less than this from flat form one side. */
-  featureAngle: number;
 }
 
-export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 0 };
+export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6 };
 
 /** File name extensions that can be loaded. */
 export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;

@@ -1,5 +1,5 @@
-// What a result must prove (algorithm.md 6). Nothing here is shared with the construction but the data types:
-// what is checked is computed anew, by other means.
+// What a result must prove (ARCHITECTURE.md 6). Nothing here is shared with the construction but the data
+// types: what is checked is computed anew, by other means.
 #pragma once
 
 #include <string>

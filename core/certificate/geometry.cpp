@@ -16,11 +16,10 @@ struct Bernstein {
   std::vector<double> c; // first axis fastest
 
   std::size_t index(int i, int j, int k) const {
-    return static_cast<std::size_t>(i + (degree[0] + 1) * (j + (degree[1] + 1) * k));
+    const int place = i + (degree[0] + 1) * (j + (degree[1] + 1) * k);
+    return at(place);
   }
-  std::size_t size() const {
-    return static_cast<std::size_t>((degree[0] + 1) * (degree[1] + 1) * (degree[2] + 1));
-  }
+  std::size_t size() const { return index(degree[0], degree[1], degree[2]) + 1; }
 };
 
 double binomial(int n, int k) {
@@ -109,7 +108,7 @@ Bernstein half(const Bernstein &whole, std::size_t axis, bool upper) {
     }
     for (int level = 0; level <= n; ++level) {
       at[axis] = upper ? n - level : level;
-      r.c[r.index(at[0], at[1], at[2])] = upper ? row[static_cast<std::size_t>(n - level)] : row[0];
+      r.c[r.index(at[0], at[1], at[2])] = upper ? row.back() : row[0];
       for (int m = 0; m + level < n; ++m) {
         const auto u = static_cast<std::size_t>(m);
         if (!upper) row[u] = (row[u] + row[u + 1]) / 2;

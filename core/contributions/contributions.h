@@ -1,4 +1,4 @@
-// Which contributions each simplex gets (algorithm.md 2): in simplex T, side P has the contribution of the
+// Which contributions each simplex gets (ARCHITECTURE.md 2): in simplex T, side P has the contribution of the
 // set of T's vertices that lie on P. That one rule is all three steps of the paper's Algorithm 2.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Local dual contributions on the reference simplex (paper 4.1; algorithm.md 1), and the regions that all of
-// them together cut it into. A contribution is named by the bit mask of a proper, non-empty subset of the
+// Local dual contributions on the reference simplex (paper 4.1; ARCHITECTURE.md 1), and the regions that all
+// of them together cut it into. A contribution is named by the bit mask of a proper, non-empty subset of the
 // simplex's vertices and is the piece of hyperplane where the barycentric coordinates of that subset add up
 // to 1 - 1 / (N + 2):
 //

@@ -1,4 +1,4 @@
-// Repairs of the reference mesh where a condition of algorithm.md 2 fails: (a) sides are full, (b) the
+// Repairs of the reference mesh where a condition of ARCHITECTURE.md 2 fails: (a) sides are full, (b) the
 // boundary is full near a corner.
 #pragma once
 

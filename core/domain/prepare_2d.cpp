@@ -41,6 +41,22 @@ Result<std::vector<Loop>> chainLoops(const Domain<2> &domain) {
   return loops;
 }
 
+/// Loops that share a vertex touch, which segments alone do not show.
+std::optional<Error> checkVerticesOnce(const Domain<2> &domain) {
+  std::vector<Index> startsAt(domain.vertices.size(), kNone);
+  for (std::size_t f = 0; f < domain.facets.size(); ++f) {
+    const Index v = domain.facets[f].loops[0][0];
+    Index &first = startsAt[at(v)];
+    if (first != kNone)
+      return Error{ErrorCode::selfIntersection,
+                   "Two segments start at vertex " + std::to_string(v) +
+                       ": loops must neither cross nor touch, themselves or one another.",
+                   {{"vertex", v}, {"edge", first}, {"edge", static_cast<std::int64_t>(f)}}};
+    first = toIndex(f);
+  }
+  return std::nullopt;
+}
+
 /// Drops vertices on a straight line between their neighbours: they bound no curve of their own.
 void dropCollinear(Loop &loop, double tolerance, std::vector<Index> &facetOfGiven, std::vector<Index> &kept) {
   const std::size_t n = loop.vertices.size();
@@ -87,6 +103,7 @@ Result<PreparedDomain<2>> prepareDomain(const Domain<2> &given, double tolerance
                      " meet at (" + formatNumber(crossing->where.x) + ", " + formatNumber(crossing->where.y) +
                      "), where they share no vertex: loops must neither cross nor touch.",
                  {{"edge", crossing->facetA}, {"edge", crossing->facetB}}};
+  if (auto error = checkVerticesOnce(given)) return *error;
   PreparedDomain<2> prepared;
   prepared.domain = given;
   prepared.domain.facets.clear();

@@ -88,6 +88,27 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
       for (Index &v : loop) v = first[at(v)];
 }
 
+/// Puts each facet's largest loop first and turns the others against it, as holes run.
+void orientHoleLoops(PreparedDomain<3> &prepared) {
+  const auto loopArea = [&](const std::vector<Index> &loop) {
+    return areaVector(prepared.domain.vertices, Facet{{loop}});
+  };
+  Index turned = 0;
+  for (Facet &facet : prepared.domain.facets) {
+    const auto outer =
+        std::max_element(facet.loops.begin(), facet.loops.end(), [&](const auto &a, const auto &b) {
+          return glm::length(loopArea(a)) < glm::length(loopArea(b));
+        });
+    std::iter_swap(facet.loops.begin(), outer);
+    for (std::size_t l = 1; l < facet.loops.size(); ++l) {
+      if (glm::dot(loopArea(facet.loops[l]), loopArea(facet.loops[0])) < 0) continue;
+      std::reverse(facet.loops[l].begin(), facet.loops[l].end());
+      ++turned;
+    }
+  }
+  if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " hole loops were turned round");
+}
+
 /// Every edge must belong to at least two facets. Sets shellsAreClosed.
 std::optional<Error> checkClosed(PreparedDomain<3> &prepared) {
   const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
@@ -149,6 +170,7 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   PreparedDomain<3> prepared;
   prepared.domain = given;
   mergeEqualVertices(prepared);
+  orientHoleLoops(prepared);
   if (auto error = checkFacets(prepared.domain, allowed)) return *error;
   if (auto error = checkClosed(prepared)) return *error;
   if (prepared.shellsAreClosed) orientShells(prepared);

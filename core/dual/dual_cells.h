@@ -1,4 +1,4 @@
-// D-bar-cells (paper 3.2; algorithm.md 4): union-find over the regions of all simplices. Regions of one
+// D-bar-cells (paper 3.2; ARCHITECTURE.md 4): union-find over the regions of all simplices. Regions of one
 // simplex join where no contribution separates them, regions of neighbours across their common face.
 #pragma once
 
@@ -37,7 +37,7 @@ template <int N> struct DualCells {
   Index findPiece(Index part, const std::array<Index, N> &sides) const;
 };
 
-/// D-bar-surfaces: sides that continue across split surfaces (algorithm.md 3).
+/// D-bar-surfaces: sides that continue across split surfaces (ARCHITECTURE.md 3).
 struct DualSurfaces {
   std::vector<Index> ofSide;
   Index count = 0;

@@ -1,4 +1,4 @@
-// A valid place for a part's centre (algorithm.md 5): every Bezier coefficient of a block's Jacobian is
+// A valid place for a part's centre (ARCHITECTURE.md 5): every Bezier coefficient of a block's Jacobian is
 // affine in the centre, so a small linear programme finds a valid place when there is one.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Where the primal nodes sit (algorithm.md 4 and 5): at the corner, the curve's midpoint by arc length, the
-// centre of the side or of the part that their D-bar-cell stands for.
+// Where the primal nodes sit (ARCHITECTURE.md 4 and 5): at the corner, the curve's midpoint by arc length,
+// the centre of the side or of the part that their D-bar-cell stands for.
 #pragma once
 
 #include "primal/primal.h"

@@ -180,7 +180,8 @@ template <int N> Domain<N> readDomain(const Json &root) {
       if (!region.is_object())
         refuse(ErrorCode::syntax, where + " must be an object with \"point\" and \"id\".");
       const Json &id = member(region, "id", where);
-      if (!id.is_number_integer()) refuse(ErrorCode::syntax, where + ".id must be a whole number.");
+      const bool fits = id.is_number_integer() && id.get<std::int64_t>() == id.get<Index>();
+      if (!fits) refuse(ErrorCode::syntax, where + ".id must be a whole number of at most nine digits.");
       domain.regions.push_back(
           {pointOf<N>(member(region, "point", where), where + ".point", "region", r), id.get<Index>()});
     }

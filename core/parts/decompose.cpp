@@ -277,7 +277,7 @@ std::vector<double> sectorPlanes(double angle) {
 
 template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
-  const PartOptions partOptions{options.smoothAngle, nullptr};
+  const PartOptions partOptions;
   // Where planes cross so often that they multiply the mesh, the fallback is cheaper and no worse.
   const Index simplexLimit = 40 * mesh.simplexCount() + 20000;
   Decomposition<N> result;

@@ -1,5 +1,5 @@
-// Which faces to split along (algorithm.md 3, rules 1 and 2): plane cuts through reflex curves, then through
-// vertices of parts where more than N sides meet.
+// Which faces to split along (ARCHITECTURE.md 3, rules 1 and 2): plane cuts through reflex curves, then
+// through vertices of parts where more than N sides meet.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,6 @@ namespace dualblock {
 
 struct DecomposeOptions {
   double tolerance;                   // nodes nearer to a cutting plane than this count as on it
-  double smoothAngle = 0;             // see PartOptions
   double flatAngle = 1e-7;            // radians over 180 degrees that still count as flat
   Index facetSurfaces;                // surfaces below this number are the domain's own facets
   std::function<double()> blockLimit; // give up when the parts would give more blocks than this; asked
@@ -31,7 +30,7 @@ template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options);
 
 /// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
-/// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; algorithm.md 3, rule 1).
+/// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; ARCHITECTURE.md 3, rule 1).
 std::vector<double> sectorPlanes(double angle);
 
 extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);

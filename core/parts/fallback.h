@@ -1,5 +1,5 @@
-// The fallback that always works (algorithm.md 3, rule 3): every inner face of the reference mesh is a split
-// surface, every simplex a part of N + 1 blocks.
+// The fallback that always works (ARCHITECTURE.md 3, rule 3): every inner face of the reference mesh is a
+// split surface, every simplex a part of N + 1 blocks.
 #pragma once
 
 #include "parts/parts.h"

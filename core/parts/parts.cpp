@@ -268,20 +268,14 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   // Sides: boundary faces of one part joined over ridges where the surface goes on.
   const BoundaryFaces<N> boundary = findBoundaryFaces(mesh);
   DisjointSets joined(boundary.faces.size());
-  const double flatCosine = std::cos(options.smoothAngle);
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     const auto [s, i] = boundary.faces[f];
     if (options.everyFace && (*options.everyFace)[at(s)]) continue;
     for (int k = 0; k < N + 1; ++k) {
       if (k == i) continue;
       const FaceRef<N> mate = boundary.faces[at(boundary.mates[f][k])];
-      const Index tag = mesh.tags[at(s)][i];
-      const Index mateTag = mesh.tags[at(mate.simplex)][mate.face];
-      const bool smooth =
-          options.smoothAngle > 0 && mesh.neighbors[at(s)][i] == kNone &&
-          mesh.neighbors[at(mate.simplex)][mate.face] == kNone &&
-          glm::dot(mesh.outwardNormal(s, i), mesh.outwardNormal(mate.simplex, mate.face)) > flatCosine;
-      if (tag == mateTag || smooth) joined.unite(toIndex(f), boundary.mates[f][k]);
+      if (mesh.tags[at(s)][i] == mesh.tags[at(mate.simplex)][mate.face])
+        joined.unite(toIndex(f), boundary.mates[f][k]);
     }
   }
 

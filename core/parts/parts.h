@@ -1,4 +1,4 @@
-// Parts, sides, curves and corners (algorithm.md 2 and 3): the polytopes that the split surfaces cut the
+// Parts, sides, curves and corners (ARCHITECTURE.md 2 and 3): the polytopes that the split surfaces cut the
 // domain into. With no split surface yet, the parts are the domain's components and their sides, curves
 // and corners are the domain's own features.
 #pragma once
@@ -33,7 +33,7 @@ struct Corner {
 };
 
 struct PartInfo {
-  bool simple;     // condition (c) of algorithm.md 2
+  bool simple;     // condition (c) of ARCHITECTURE.md 2
   std::string why; // what is not simple about it
   Index region;
 };
@@ -50,7 +50,6 @@ template <int N> struct Parts {
 };
 
 struct PartOptions {
-  double smoothAngle = 0; // radians: facets that meet at less than this from flat form one side
   const std::vector<bool> *everyFace = nullptr; // per simplex: true where each face is a side of its own
 };
 

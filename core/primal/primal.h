@@ -1,4 +1,4 @@
-// The primal (paper 3.2; algorithm.md 4): a node per D-bar-cell, an edge per pair of cells that a hard
+// The primal (paper 3.2; ARCHITECTURE.md 4): a node per D-bar-cell, an edge per pair of cells that a hard
 // contribution separates, a face per pair of crossing D-bar-surfaces, a block per D-bar-node.
 #pragma once
 

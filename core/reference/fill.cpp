@@ -102,7 +102,7 @@ template <int N> Index locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
     for (int i = 0; i < N + 1 && inside; ++i) {
       auto corner = mesh.simplices[at(s)];
       corner[i] = mesh.nodeCount();
-      inside = orientation<N>(nodes, corner) > 0;
+      inside = orientation<N>(nodes, corner) >= 0; // on a face counts
     }
     if (inside) return s;
   }

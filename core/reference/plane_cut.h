@@ -1,5 +1,5 @@
-// Cutting the reference mesh along a plane (algorithm.md 3): a sign per node, a node on each crossing edge.
-// The new split surface is the connected component of plane and domain that holds the seed.
+// Cutting the reference mesh along a plane (ARCHITECTURE.md 3): a sign per node, a node on each crossing
+// edge. The new split surface is the connected component of plane and domain that holds the seed.
 #pragma once
 
 #include "reference/subdivide.h"

@@ -169,6 +169,26 @@ template <int N> Result<RawFill<N>> fillByGiven(const Domain<N> &domain, double 
   for (Index s = 0; s < fill.mesh.simplexCount(); ++s)
     if (orientation<N>(fill.mesh.nodes, fill.mesh.simplices[at(s)]) <= 0)
       return invalid("has a simplex " + std::to_string(s) + " of no volume", s);
+  if (fill.mesh.simplices.empty()) return invalid("has no simplices", 0);
+  std::vector<std::array<Index, N>> faces;
+  for (Index s = 0; s < fill.mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i) faces.push_back(fill.mesh.sortedFace(s, i));
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t f = 0; f + 2 < faces.size(); ++f)
+    if (faces[f] == faces[f + 2]) return invalid("has three simplices on one face", 0);
+  double filled = 0;
+  double enclosed = 0;
+  const double factorial = N == 2 ? 2 : 6;
+  for (const auto &simplex : fill.mesh.simplices)
+    filled += orientation<N>(fill.mesh.nodes, simplex) / factorial;
+  for (const Facet &facet : domain.facets) // by the divergence theorem, from facets that point outwards
+    enclosed += glm::dot(domain.vertices[at(facet.loops[0][0])] - domain.vertices[0],
+                         areaVector(domain.vertices, facet)) /
+                factorial;
+  if (std::abs(filled - std::abs(enclosed)) > 1e-6 * std::abs(enclosed))
+    return invalid("fills a measure of " + std::to_string(filled) + " instead of the domain's " +
+                       std::to_string(std::abs(enclosed)),
+                   0);
   std::vector<Plane<N>> planes;
   for (const Facet &facet : domain.facets) planes.push_back(facetPlane<N>(domain.vertices, facet));
   for (Index s = 0; s < fill.mesh.simplexCount(); ++s)

@@ -73,7 +73,7 @@ int main(int argc, char **argv) {
   }
   const bool isCube = std::strcmp(argv[1], "cube") == 0;
   const auto full = [](int, int, int) { return true; };
-  const Domain<3> domain = isCube ? testing::voxelDomain(1, full) : testing::scaffold(20, 4);
+  const Domain<3> domain = isCube ? test::voxelDomain(1, full) : test::scaffold(20, 4);
   const double edge = std::atof(argv[2]);
   if (std::strcmp(argv[3], "tetgen") == 0) return measureTetgen(domain, edge);
   if (std::strcmp(argv[3], "run") == 0) return measureRun(domain, edge);

@@ -1,5 +1,5 @@
 // The answer to the paper's open question (section 6): the block mesh does not depend on the reference mesh,
-// nor on the order, position and smallest changes of the input, as algorithm.md 2 derives from its
+// nor on the order, position and smallest changes of the input, as ARCHITECTURE.md 2 derives from its
 // conditions. Where the fallback was used the blocks are the reference mesh's own, and the certificate alone
 // is asked for.
 #include <iostream>

@@ -1,4 +1,4 @@
-// The small linear programmes of centre placement (algorithm.md 5) against brute force: the optimum of a
+// The small linear programmes of centre placement (ARCHITECTURE.md 5) against brute force: the optimum of a
 // bounded feasible programme is at a vertex, where as many constraints as there are variables meet. The
 // programmes have small integer coefficients, so feasibility of a vertex is decided exactly.
 #include "geometry/linear_programme.h"

@@ -1,4 +1,4 @@
-// The primal against midpoint subdivision of the parts (algorithm.md 4): the same numbers of nodes, edges,
+// The primal against midpoint subdivision of the parts (ARCHITECTURE.md 4): the same numbers of nodes, edges,
 // faces and blocks, and isomorphic complexes.
 #include "support/midpoint_subdivision.h"
 

@@ -1,5 +1,5 @@
-// Parts, sides, curves and corners of the examples (algorithm.md 2 and 3): counts, angles, and whether they
-// are simple.
+// Parts, sides, curves and corners of the examples (ARCHITECTURE.md 2 and 3): counts, angles, and whether
+// they are simple.
 #include "parts/parts.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Cuts along planes (algorithm.md 3): what is cut falls apart by the signs of the plane and nothing else
+// Cuts along planes (ARCHITECTURE.md 3): what is cut falls apart by the signs of the plane and nothing else
 // changes.
 #include "reference/plane_cut.h"
 

@@ -1,5 +1,5 @@
-// The regions that the contributions cut a simplex into (algorithm.md 1), against an enumeration of all sign
-// vectors that exact elimination finds feasible.
+// The regions that the contributions cut a simplex into (ARCHITECTURE.md 1), against an enumeration of all
+// sign vectors that exact elimination finds feasible.
 #include "contributions/region_tables.h"
 
 #include <bit>

@@ -27,11 +27,11 @@ describe('parseArguments', () => {
     ['-- -odd.json', { ...plain, source: { kind: 'file', path: '-odd.json' } }],
     ['a.json --reference coarse', { ...plain, source: file, settings: { reference: 'coarse' } }],
     [
-      'a.json --reference .5 --seed 4294967295 --feature-angle 35 --tolerance 1e-8',
+      'a.json --reference .5 --seed 4294967295 --tolerance 1e-8',
       {
         ...plain,
         source: file,
-        settings: { reference: 0.5, seed: 4294967295, featureAngle: 35, tolerance: 1e-8 },
+        settings: { reference: 0.5, seed: 4294967295, tolerance: 1e-8 },
       },
     ],
   ])('takes %j', (line, expected) => {
@@ -68,8 +68,6 @@ describe('parseArguments', () => {
     ['a.json --reference 0', /--reference cannot be "0"/, /over 0/],
     ['a.json --reference 1e999', /--reference cannot be/, /over 0/],
     ['a.json --reference 0x10', /--reference cannot be/, /over 0/],
-    ['a.json --feature-angle 180', /--feature-angle cannot be/, /under 180/],
-    ['a.json --feature-angle=-5', /--feature-angle cannot be/, /over 0/],
     ['a.json --tolerance 1', /--tolerance cannot be/, /under 1/],
     ['a.json --tolerance nan', /--tolerance cannot be/, /number/],
   ])('refuses %j', (line, message, remedy) => {

@@ -1,5 +1,5 @@
-// Midpoint subdivision of the parts, as an oracle for the primal (algorithm.md 4): in simple parts the D-bar-
-// cells correspond one to one to the faces of the part as a polytope, and the blocks to its corners.
+// Midpoint subdivision of the parts, as an oracle for the primal (ARCHITECTURE.md 4): in simple parts the
+// D-bar- cells correspond one to one to the faces of the part as a polytope, and the blocks to its corners.
 //
 // Nothing of the dual is used. A face of a polytope (a corner, curve, side, or the polytope itself) is known
 // by its dimension and the set of its corners' coordinates; that alone glues the polytopes to one another,

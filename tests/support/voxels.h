@@ -6,7 +6,7 @@
 
 #include "domain/domain.h"
 
-namespace dualblock::testing {
+namespace dualblock::test {
 
 /// The union of the cells of an n^3 grid for which `filled(i, j, k)` holds.
 inline Domain<3> voxelDomain(int n, const std::function<bool(int, int, int)> &filled) {
@@ -54,4 +54,4 @@ inline Domain<3> scaffold(int n, int step) {
   return domain;
 }
 
-} // namespace dualblock::testing
+} // namespace dualblock::test

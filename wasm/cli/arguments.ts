@@ -8,8 +8,6 @@ export interface GivenSettings {
   reference?: 'coarse' | number;
   /** 0 to 2^32 - 1. */
   seed?: number;
-  /** Degrees, over 0 and under 180. */
-  featureAngle?: number;
   /** Relative to the domain's size, over 0 and under 1. */
   tolerance?: number;
 }
@@ -142,7 +140,6 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
   const settings: GivenSettings = {};
   const reference = first('reference');
   const seed = first('seed');
-  const featureAngle = first('feature-angle');
   const tolerance = first('tolerance');
   if (reference !== undefined) {
     settings.reference =
@@ -154,9 +151,6 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
     settings.seed = Number(seed);
     if (!/^\d+$/.test(seed) || settings.seed >= 2 ** 32)
       throw badValue('seed', seed, 'a whole number from 0 to 4294967295');
-  }
-  if (featureAngle !== undefined) {
-    settings.featureAngle = between('feature-angle', featureAngle, 180, 'degrees over 0 and under 180');
   }
   if (tolerance !== undefined) {
     settings.tolerance = between('tolerance', tolerance, 1, 'a number over 0 and under 1, such as 1e-8');

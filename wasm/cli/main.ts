@@ -114,7 +114,7 @@ function outputWriter(path: string) {
   try {
     return meshWriter(path);
   } catch (error) {
-    throw new UsageError((error as Error).message, 'see dualblock --help');
+    throw new UsageError((error as Error).message.replace(/\.$/, ''), 'see dualblock --help');
   }
 }
 

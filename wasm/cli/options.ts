@@ -22,10 +22,6 @@ export const options = {
   quiet: { help: 'no progress on standard error' },
   reference: { value: 'coarse|H', help: 'refinement of the reference mesh: none, or the longest edge H' },
   seed: { value: 'N', help: 'seed of every random choice, 0 to 4294967295' },
-  'feature-angle': {
-    value: 'DEG',
-    help: 'angle, over 0 and under 180 degrees, from which a curve is a feature',
-  },
   tolerance: { value: 'T', help: "coplanarity tolerance relative to the domain's size, over 0 and under 1" },
   help: { help: 'print this text' },
   version: { help: 'print the version' },
@@ -52,6 +48,7 @@ export function helpText(): string {
     '       dualblock --list-examples',
     '',
     'INPUT, by extension: .json .off .stl .obj .ply .poly .smesh',
+    'OUTPUT, by extension: .vtk .mesh .json',
     '',
     ...rows,
     '',

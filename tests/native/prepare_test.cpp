@@ -1,0 +1,121 @@
+// The preparation of domains: what is refused, what is repaired, what is merged.
+#include "domain/prepare.h"
+
+#include <gtest/gtest.h>
+
+#include "support/voxels.h"
+
+namespace dualblock {
+namespace {
+
+Domain<2> plane(std::vector<Vec<2>> vertices, const std::vector<std::vector<Index>> &loops) {
+  Domain<2> domain;
+  domain.vertices = std::move(vertices);
+  for (const auto &loop : loops)
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      domain.facets.push_back({{{loop[k], loop[(k + 1) % loop.size()]}}});
+  return domain;
+}
+
+Domain<3> cube() {
+  return test::voxelDomain(1, [](int, int, int) { return true; });
+}
+
+template <typename D> ErrorCode refusal(const D &domain, double tolerance = 1e-6) {
+  const auto prepared = prepareDomain(domain, tolerance);
+  if (prepared.ok()) return ErrorCode::internal;
+  EXPECT_FALSE(prepared.error().message.empty());
+  return prepared.error().code;
+}
+
+TEST(Prepare2d, RefusesLoopsThatTouchAtAVertex) {
+  // Two triangles that meet at vertex 0: one might be taken for a hole of the other.
+  const auto domain = plane({{0, 0}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}, {{0, 1, 2}, {0, 3, 4}});
+  EXPECT_EQ(refusal(domain), ErrorCode::selfIntersection);
+}
+
+TEST(Prepare2d, RefusesCrossingLoopsAndHolesOutside) {
+  EXPECT_EQ(refusal(plane({{0, 0}, {2, 2}, {2, 0}, {0, 1}}, {{0, 1, 2, 3}})), ErrorCode::selfIntersection);
+  const std::vector<Vec<2>> twoSquares{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {5, 0}, {6, 0}, {6, 1}, {5, 1}};
+  EXPECT_EQ(refusal(plane(twoSquares, {{0, 1, 2, 3}, {7, 6, 5, 4}})), ErrorCode::holeOutside);
+  EXPECT_TRUE(prepareDomain(plane(twoSquares, {{0, 1, 2, 3}, {4, 5, 6, 7}}), 1e-6).ok()); // two components
+}
+
+TEST(Prepare2d, DropsVerticesOnStraightLinesAndTurnsLoops) {
+  const auto prepared = prepareDomain(plane({{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0.5, 0}}, {{0, 1, 2, 3, 4}}), 1e-6);
+  ASSERT_TRUE(prepared.ok());
+  EXPECT_EQ(prepared.value().domain.facets.size(), 4U);
+  EXPECT_EQ(prepared.value().repairs.size(), 1U);
+  // The two halves of the bottom went into one segment.
+  EXPECT_EQ(prepared.value().facetOfGiven[3], prepared.value().facetOfGiven[4]);
+  EXPECT_NE(prepared.value().facetOfGiven[0], prepared.value().facetOfGiven[1]);
+}
+
+TEST(Prepare3d, MergesCoplanarFacetsAndKeepsTrackOfThem) {
+  const auto two = test::voxelDomain(2, [](int i, int j, int k) { return j == 0 && k == 0 && i >= 0; });
+  ASSERT_EQ(two.facets.size(), 10U);
+  const auto prepared = prepareDomain(two, 1e-6);
+  ASSERT_TRUE(prepared.ok());
+  EXPECT_EQ(prepared.value().domain.facets.size(), 6U);
+  EXPECT_EQ(prepared.value().domain.vertices.size(), 8U); // those in the middle of edges are gone
+  for (const Index facet : prepared.value().facetOfGiven) EXPECT_GE(facet, 0);
+}
+
+TEST(Prepare3d, TurnsFacetsAndHoleLoopsThatRunTheWrongWay) {
+  Domain<3> domain = cube();
+  std::reverse(domain.facets[2].loops[0].begin(), domain.facets[2].loops[0].end());
+  const auto prepared = prepareDomain(domain, 1e-6);
+  ASSERT_TRUE(prepared.ok());
+  ASSERT_EQ(prepared.value().repairs.size(), 1U);
+  EXPECT_EQ(prepared.value().repairs[0], "1 facets were turned round");
+}
+
+TEST(Prepare3d, MergesVerticesWithEqualCoordinates) {
+  Domain<3> domain = cube();
+  Domain<3> soup;
+  for (const Facet &facet : domain.facets) {
+    Facet own{{{}}};
+    for (const Index v : facet.loops[0]) {
+      own.loops[0].push_back(toIndex(soup.vertices.size()));
+      soup.vertices.push_back(domain.vertices[at(v)]);
+    }
+    soup.facets.push_back(own);
+  }
+  const auto prepared = prepareDomain(soup, 1e-6);
+  ASSERT_TRUE(prepared.ok());
+  EXPECT_EQ(prepared.value().domain.vertices.size(), 8U);
+}
+
+TEST(Prepare3d, RefusesWhatIsNoSolid) {
+  Domain<3> open = cube();
+  open.facets.pop_back();
+  EXPECT_EQ(refusal(open), ErrorCode::openBoundary);
+
+  Domain<3> twice = cube();
+  twice.facets.push_back(twice.facets[0]);
+  EXPECT_EQ(refusal(twice), ErrorCode::duplicateFacet);
+
+  Domain<3> flat = cube();
+  flat.facets.push_back({{{0, 1, 0}}});
+  EXPECT_EQ(refusal(flat), ErrorCode::degenerateFacet);
+
+  Domain<3> bent = cube();
+  bent.vertices[0] += Vec<3>(0.01);
+  EXPECT_EQ(refusal(bent), ErrorCode::nonPlanarFacet);
+  EXPECT_NE(refusal(bent, 1e-2), ErrorCode::nonPlanarFacet); // the tolerance is the caller's
+
+  Domain<3> infinite = cube();
+  infinite.vertices[3].y = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal(infinite), ErrorCode::notFinite);
+
+  Domain<3> wild = cube();
+  wild.facets[1].loops[0][2] = 99;
+  EXPECT_EQ(refusal(wild), ErrorCode::indexOutOfRange);
+
+  Domain<3> poor = cube();
+  poor.facets.resize(3);
+  EXPECT_EQ(refusal(poor), ErrorCode::tooFewFacets);
+}
+
+} // namespace
+} // namespace dualblock
