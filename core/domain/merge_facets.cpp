@@ -27,8 +27,8 @@ struct GroupPlane {
   Plane<3> plane() const { return planeThrough(moment / corners, area); }
 };
 
-/// Boundary edges of a group of facets, chained into loops; at a vertex where several loops touch, the next
-/// edge is the first one clockwise, so that loops do not cross.
+/// Boundary edges of a group of facets, chained into loops. Where loops touch at a vertex, each goes on along
+/// the gap between facets that it came along: a hole that touches the outline stays a loop of its own.
 std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertices,
                                               const std::vector<Facet> &facets,
                                               const std::vector<Index> &group, const Vec<3> &normal) {
@@ -62,7 +62,7 @@ std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertice
         const double from = angleTo(previous);
         double smallest = 1e9;
         for (std::size_t c = 0; c < choices.size(); ++c) {
-          double turn = from - angleTo(choices[c]); // clockwise from the way we came
+          double turn = angleTo(choices[c]) - from; // counter-clockwise: across what is no facet
           while (turn <= 1e-12) turn += 2 * 3.14159265358979323846;
           if (turn < smallest) {
             smallest = turn;

@@ -68,17 +68,21 @@ void fillInput(tetgenio &in, const std::vector<Vec<3>> &points, const std::vecto
       std::copy(loops[l].begin(), loops[l].end(), facet.polygonlist[l].vertexlist);
     }
     if (loops.size() < 2) continue;
+    // Loops that run against the facet are holes; others are pieces that touch the first at a vertex.
     const Plane<3> plane = facetPlane<3>(points, facets[f]);
     const PlaneBasis basis(plane.normal);
-    facet.holelist = new REAL[3 * (loops.size() - 1)];
-    facet.numberofholes = static_cast<int>(loops.size()) - 1;
+    std::vector<Vec<3>> holes;
     for (std::size_t l = 1; l < loops.size(); ++l) {
       std::vector<Vec<2>> polygon;
       for (const Index v : loops[l]) polygon.push_back(basis.project(points[at(v)]));
+      if (polygonArea2(polygon) > 0) continue;
       const Vec<2> inside = pointInside(polygon);
-      const Vec<3> x = inside.x * basis.u + inside.y * basis.v + plane.offset * plane.normal;
-      for (int k = 0; k < 3; ++k) facet.holelist[3 * (l - 1) + static_cast<std::size_t>(k)] = x[k];
+      holes.push_back(inside.x * basis.u + inside.y * basis.v + plane.offset * plane.normal);
     }
+    facet.holelist = new REAL[3 * holes.size()];
+    facet.numberofholes = static_cast<int>(holes.size());
+    for (std::size_t h = 0; h < holes.size(); ++h)
+      for (int k = 0; k < 3; ++k) facet.holelist[3 * h + static_cast<std::size_t>(k)] = holes[h][k];
   }
 }
 

@@ -51,10 +51,10 @@ TEST_F(TwoTriangles, CountsHardOnesAtAVirtualPoint) {
     hard.push_back(soft);
     return checkGivenContributions(mesh, fan, hard).size();
   };
-  EXPECT_EQ(check({{0, {0}, true}, {2, {0}, true}}), 0U);                                           // two
-  EXPECT_EQ(check({{0, {0}, true}, {0, {0, 1}, true}, {2, {0}, true}}), 1U);                        // three
-  EXPECT_EQ(check({{0, {0}, true}, {0, {0, 1}, true}, {2, {0}, true}, {2, {0, 4}, true}}), 0U);     // four
-  EXPECT_EQ(check({}), 1U);                                                                         // none
+  EXPECT_EQ(check({{0, {0}, true}, {2, {0}, true}}), 0U);                                       // two
+  EXPECT_EQ(check({{0, {0}, true}, {0, {0, 1}, true}, {2, {0}, true}}), 1U);                    // three
+  EXPECT_EQ(check({{0, {0}, true}, {0, {0, 1}, true}, {2, {0}, true}, {2, {0, 4}, true}}), 0U); // four
+  EXPECT_EQ(check({}), 1U);                                                                     // none
 }
 
 } // namespace

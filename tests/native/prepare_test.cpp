@@ -42,7 +42,8 @@ TEST(Prepare2d, RefusesCrossingLoopsAndHolesOutside) {
 }
 
 TEST(Prepare2d, DropsVerticesOnStraightLinesAndTurnsLoops) {
-  const auto prepared = prepareDomain(plane({{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0.5, 0}}, {{0, 1, 2, 3, 4}}), 1e-6);
+  const auto prepared =
+      prepareDomain(plane({{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0.5, 0}}, {{0, 1, 2, 3, 4}}), 1e-6);
   ASSERT_TRUE(prepared.ok());
   EXPECT_EQ(prepared.value().domain.facets.size(), 4U);
   EXPECT_EQ(prepared.value().repairs.size(), 1U);

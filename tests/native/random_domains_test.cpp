@@ -114,6 +114,17 @@ TEST(RandomDomains, Prisms) {
   for (std::uint32_t seed = 1; seed <= 25; ++seed) tryDomain<3>(seed, randomDomain<3>(seed));
 }
 
+// A facet that touches itself at a vertex: a cube stands on an L-shaped slab, one corner in the L's crook, so
+// that the hole of the slab's top touches its outline.
+TEST(RandomDomains, FacetThatTouchesItself) {
+  const auto tower = voxelDomain(4, [](int i, int j, int k) {
+    const bool inL = i < 3 && j < 3 && !(i == 2 && j == 2);
+    return k == 0 ? inL : k == 1 && i == 1 && j == 1;
+  });
+  tryDomain<3>(0, tower);
+  tryDomain<3>(1, rotated(tower));
+}
+
 TEST(RandomDomains, Polycubes) {
   int tried = 0;
   for (std::uint32_t seed = 1; seed <= 30; ++seed)
