@@ -4,34 +4,18 @@ namespace dualblock {
 
 template <int N> Components<N> findComponents(const ReferenceMesh<N> &mesh) {
   Components<N> result;
-  std::vector<Index> raw(mesh.simplices.size(), kNone);
+  std::vector<Index> raw = floodPieces(mesh, result.count, [](Index, int) { return false; });
   std::vector<std::pair<Index, Index>> lowestFacet; // (facet, raw component)
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < mesh.simplexCount(); ++seed) {
-    if (raw[at(seed)] != kNone) continue;
-    const Index component = toIndex(lowestFacet.size());
-    lowestFacet.emplace_back(toIndex(mesh.surfaces.size()), component);
-    raw[at(seed)] = component;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const Index s = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < N + 1; ++i) {
-        const Index t = mesh.neighbors[at(s)][i];
-        if (t == kNone) {
-          Index &lowest = lowestFacet.back().first;
-          lowest = std::min(lowest, FaceTag::surface(mesh.tags[at(s)][i]));
-        } else if (raw[at(t)] == kNone) {
-          raw[at(t)] = component;
-          stack.push_back(t);
-        }
-      }
+  for (Index c = 0; c < result.count; ++c) lowestFacet.emplace_back(toIndex(mesh.surfaces.size()), c);
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i) {
+      if (mesh.neighbors[at(s)][i] != kNone) continue;
+      Index &lowest = lowestFacet[at(raw[at(s)])].first;
+      lowest = std::min(lowest, FaceTag::surface(mesh.tags[at(s)][i]));
     }
-  }
   std::sort(lowestFacet.begin(), lowestFacet.end());
   std::vector<Index> number(lowestFacet.size());
   for (std::size_t k = 0; k < lowestFacet.size(); ++k) number[at(lowestFacet[k].second)] = toIndex(k);
-  result.count = toIndex(lowestFacet.size());
   for (Index &c : raw) c = number[at(c)];
   result.ofSimplex = std::move(raw);
   return result;

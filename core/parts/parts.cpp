@@ -15,29 +15,6 @@ template <int N> struct BoundaryFaces {
   std::vector<std::array<Index, N + 1>> mates;   // per boundary face: across the ridge without vertex k
 };
 
-template <int N> std::vector<Index> floodParts(const ReferenceMesh<N> &mesh, Index &count) {
-  std::vector<Index> part(mesh.simplices.size(), kNone);
-  std::vector<Index> stack;
-  count = 0;
-  for (Index seed = 0; seed < mesh.simplexCount(); ++seed) {
-    if (part[at(seed)] != kNone) continue;
-    part[at(seed)] = count;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const Index s = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < N + 1; ++i) {
-        const Index t = mesh.neighbors[at(s)][i];
-        if (t == kNone || mesh.tags[at(s)][i] != kNone || part[at(t)] != kNone) continue;
-        part[at(t)] = count;
-        stack.push_back(t);
-      }
-    }
-    ++count;
-  }
-  return part;
-}
-
 template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh) {
   BoundaryFaces<N> boundary;
   std::array<Index, N + 1> none;
@@ -260,7 +237,7 @@ void linkOpposites(const ReferenceMesh<N> &mesh, Parts<N> &parts, const Boundary
 template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options) {
   Parts<N> parts;
   Index partCount = 0;
-  parts.partOfSimplex = floodParts(mesh, partCount);
+  parts.partOfSimplex = floodUntagged(mesh, partCount);
   parts.parts.assign(at(partCount), {true, "", 0});
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     parts.parts[at(parts.partOfSimplex[at(s)])].region = mesh.region[at(s)];

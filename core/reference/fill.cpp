@@ -9,30 +9,6 @@
 namespace dualblock {
 namespace {
 
-/// Components of the mesh that the facets bound.
-template <int N> std::vector<Index> floodCells(const ReferenceMesh<N> &mesh, Index &count) {
-  std::vector<Index> cell(mesh.simplices.size(), kNone);
-  std::vector<Index> stack;
-  count = 0;
-  for (Index seed = 0; seed < mesh.simplexCount(); ++seed) {
-    if (cell[at(seed)] != kNone) continue;
-    cell[at(seed)] = count;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const Index s = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < N + 1; ++i) {
-        const Index t = mesh.neighbors[at(s)][i];
-        if (t == kNone || mesh.tags[at(s)][i] != kNone || cell[at(t)] != kNone) continue;
-        cell[at(t)] = count;
-        stack.push_back(t);
-      }
-    }
-    ++count;
-  }
-  return cell;
-}
-
 template <int N> struct Crossing {
   Index cell, neighbor; // kNone: the outside
   bool intoFront;       // the neighbour is in front of the facet as given
@@ -167,7 +143,7 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
     cellIsBehind[f] = behind;
   }
   Index cellCount = 0;
-  const std::vector<Index> cell = floodCells(mesh, cellCount);
+  const std::vector<Index> cell = floodUntagged(mesh, cellCount);
   for (std::size_t f = 0; f < fill.facetFaces.size(); ++f) {
     const auto [s, i] = fill.facetFaces[f];
     const std::size_t facet = at(fill.facetOfFace[f]);
@@ -202,7 +178,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   }
 
   Index cellCount = 0;
-  const std::vector<Index> cell = floodCells(mesh, cellCount);
+  const std::vector<Index> cell = floodUntagged(mesh, cellCount);
   const std::vector<Crossing<N>> contacts = crossings(fill, cell);
   std::vector<bool> inside = insideCells(contacts, cellCount, options.shellsAreClosed && !domain.reference);
   for (std::size_t h = 0; h < domain.holes.size(); ++h) {

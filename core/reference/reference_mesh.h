@@ -153,6 +153,37 @@ template <int N> void collectStar(const ReferenceMesh<N> &mesh, Index node, std:
   }
 }
 
+/// Numbers the pieces that the mesh falls into when it is cut along the faces that `isWall(simplex, face)`
+/// holds for, in the order of their lowest simplex. Returns the piece of each simplex.
+template <int N, typename IsWall>
+std::vector<Index> floodPieces(const ReferenceMesh<N> &mesh, Index &count, IsWall isWall) {
+  std::vector<Index> piece(mesh.simplices.size(), kNone);
+  std::vector<Index> stack;
+  count = 0;
+  for (Index seed = 0; seed < mesh.simplexCount(); ++seed) {
+    if (piece[at(seed)] != kNone) continue;
+    piece[at(seed)] = count;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const Index s = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < N + 1; ++i) {
+        const Index t = mesh.neighbors[at(s)][i];
+        if (t == kNone || piece[at(t)] != kNone || isWall(s, i)) continue;
+        piece[at(t)] = count;
+        stack.push_back(t);
+      }
+    }
+    ++count;
+  }
+  return piece;
+}
+
+/// Pieces between tagged faces.
+template <int N> std::vector<Index> floodUntagged(const ReferenceMesh<N> &mesh, Index &count) {
+  return floodPieces(mesh, count, [&](Index s, int i) { return mesh.tags[at(s)][i] != kNone; });
+}
+
 /// N! times the signed volume of simplex s.
 template <int N> double orientation(const std::vector<Vec<N>> &nodes, const std::array<Index, N + 1> &s) {
   const Vec<N> a = nodes[at(s[1])] - nodes[at(s[0])];
