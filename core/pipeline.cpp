@@ -214,6 +214,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   PartOptions partOptions;
   r.features = buildParts(r.mesh, partOptions);
   r.featureNodes = r.mesh.nodes;
+  r.featureKinds = classifyFeatures(r.features);
 
   clock.start("parts", 0.35);
   DecomposeOptions decomposeOptions;

@@ -6,6 +6,7 @@
 #include "certificate/certificate.h"
 #include "domain/prepare.h"
 #include "parts/decompose.h"
+#include "parts/features.h"
 #include "reference/fill.h"
 
 namespace dualblock {
@@ -31,8 +32,9 @@ template <int N> struct PipelineResult {
   ReferenceMesh<N> mesh;
   Parts<N> features;                // of the uncut reference mesh: the domain's own
   std::vector<Vec<N>> featureNodes; // the nodes that `features` refers to
-  Index fillSimplices = 0;          // of the reference mesh before cuts and repairs
-  std::string remedy;               // what it took TetGen to succeed, or empty
+  Features featureKinds;
+  Index fillSimplices = 0; // of the reference mesh before cuts and repairs
+  std::string remedy;      // what it took TetGen to succeed, or empty
   Index cuts = 0;
   Index repairs = 0;            // nodes added by repairs of conditions (a) and (b)
   Index fallbackComponents = 0; // components where every reference simplex became a part

@@ -58,7 +58,9 @@ template <int N> val featuresToJs(const PipelineResult<N> &r) {
         }));
   f.set("ideal", column<std::uint8_t>(r.certificate.features, [](const FeatureCount &c) { return c.ideal; }));
   f.set("actual", column<Index>(r.certificate.features, [](const FeatureCount &c) { return c.actual; }));
-  f.set("vertices", column<Index>(r.features.corners, [](const Corner &c) { return c.node; }));
+  f.set("kind", toJs<std::uint8_t>(r.featureKinds.curves));
+  f.set("vertices", toJs<Index>(r.featureKinds.vertexNodes));
+  f.set("vertexKind", toJs<std::uint8_t>(r.featureKinds.vertices));
   return f;
 }
 

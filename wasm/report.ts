@@ -5,6 +5,7 @@ import type { Settings } from './settings.ts';
 
 export const reportFormat = 'dualblock-report/1';
 export const featureKinds = ['end', 'side', 'corner', 'reversal'] as const;
+export const vertexKinds = ['face', 'semiEdge', 'edge', 'vertex'] as const;
 const histogramBins = 20;
 
 export interface FeatureTally {
@@ -54,7 +55,7 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       blocks: primal.quality.length,
     },
     certificate,
-    features: tallyFeatures(result),
+    features: { curves: tallyFeatures(result), vertices: tallyVertices(result) },
     quality: { scaledJacobian: summarize(primal.quality) },
     timings: result.timings,
     peakMemory: memory,
@@ -78,6 +79,20 @@ export function tallyFeatures({ features }: RunResult): FeatureTally[] {
     tally.set(`${ideal} ${actual}`, row);
   });
   return [...tally.values()].sort((a, b) => a.ideal - b.ideal || a.actual - b.actual);
+}
+
+/** Vertices of a solid by kind; none in 2D, where the vertices are tallied as curves. */
+export function tallyVertices({
+  dimension,
+  features,
+}: RunResult): Partial<Record<(typeof vertexKinds)[number], number>> {
+  const tally: Partial<Record<(typeof vertexKinds)[number], number>> = {};
+  if (dimension === 2) return tally;
+  for (const code of features.vertexKind) {
+    const kind = vertexKinds[code] ?? 'vertex';
+    tally[kind] = (tally[kind] ?? 0) + 1;
+  }
+  return tally;
 }
 
 /** Minimum, mean and a histogram of equal bins from -1 to 1; null where there is nothing to measure. */

@@ -50,10 +50,14 @@ export interface RunResult {
     ridgeNodes: Int32Array;
     angle: Float64Array;
     facets: Int32Array;
-    /** Blocks that should meet along the curve: 1 end, 2 side, 3 corner, 4 reversal (paper 2.4). */
+    /** 1 end, 2 side, 3 corner, 4 reversal (paper 2.4). */
+    kind: Uint8Array;
+    /** Blocks that should meet along the curve, and the fewest that do; empty where no mesh was certified. */
     ideal: Uint8Array;
     actual: Int32Array;
+    /** Vertices by the feature curves that meet there: 0 face, 1 semi-edge, 2 edge, 3 vertex (paper, figure 3). */
     vertices: Int32Array;
+    vertexKind: Uint8Array;
   };
   reference: {
     nodes: Float64Array;

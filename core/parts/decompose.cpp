@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "parts/features.h"
 #include "reference/plane_cut.h"
 
 namespace dualblock {
@@ -267,12 +268,16 @@ template <int N> double blocksExpected(const Parts<N> &parts) {
 } // namespace
 
 std::vector<double> sectorPlanes(double angle) {
-  constexpr double kDegree = pi / 180;
-  if (angle <= 225 * kDegree) return {angle / 2};
-  // The planes of both facets: sectors of (angle - 180), (360 - angle) and (angle - 180) degrees.
-  if (angle <= 315 * kDegree) return {pi, angle - pi};
-  // Four sectors by two whole planes: the bisector, and one across it that runs on beyond the curve.
-  return {angle / 2, (angle - pi) / 2};
+  switch (curveKind(angle)) {
+  case CurveKind::end: return {};
+  case CurveKind::side: return {angle / 2};
+  case CurveKind::corner: // the planes of both facets: sectors of angle - 180, 360 - angle and angle - 180
+                          // degrees
+    return {pi, angle - pi};
+  case CurveKind::reversal: // two whole planes: the bisector, and one across it that runs on beyond the curve
+    return {angle / 2, (angle - pi) / 2};
+  }
+  return {};
 }
 
 template <int N>

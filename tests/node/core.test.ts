@@ -252,10 +252,13 @@ describe('reports', () => {
       dual: { cells: 144 },
       primal: { nodes: 144, edges: 336, faces: 256, blocks: 64 },
       certificate: { valid: true, failures: [] },
-      features: [
-        { kind: 'end', ideal: 1, actual: 1, curves: 20 },
-        { kind: 'corner', ideal: 3, actual: 3, curves: 4 },
-      ],
+      features: {
+        curves: [
+          { kind: 'end', ideal: 1, actual: 1, curves: 20 },
+          { kind: 'corner', ideal: 3, actual: 3, curves: 4 },
+        ],
+        vertices: { vertex: 16 },
+      },
     });
     expect(report.contributions.hard).toBeGreaterThan(0);
     expect(report.quality.scaledJacobian?.histogram).toHaveLength(20);

@@ -1,0 +1,32 @@
+// The domain's features (paper 2.4): curves by the number of blocks that should meet along them, vertices by
+// the feature curves that meet there.
+#pragma once
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+/// By the interior angle: up to 135 degrees, up to 225, up to 315, beyond. The value is the number of blocks
+/// that should meet there (figures 2 and 4). In 2D the "curves" are the vertices.
+enum class CurveKind : std::uint8_t { end = 1, side = 2, corner = 3, reversal = 4 };
+
+/// By the number of curves other than `side` that meet at a vertex in 3D: none, one, two, more (figure 3). In
+/// 2D `vertex` for a feature, `face` for a vertex of type side.
+enum class VertexKind : std::uint8_t { face = 0, semiEdge = 1, edge = 2, vertex = 3 };
+
+struct Features {
+  std::vector<CurveKind> curves;    // as Parts::curves of the uncut mesh
+  std::vector<Index> vertexNodes;   // ascending
+  std::vector<VertexKind> vertices; // per vertex node
+};
+
+/// angle: inside the domain, in radians.
+CurveKind curveKind(double angle);
+
+/// uncut: the parts of a mesh without split surfaces.
+template <int N> Features classifyFeatures(const Parts<N> &uncut);
+
+extern template Features classifyFeatures(const Parts<2> &);
+extern template Features classifyFeatures(const Parts<3> &);
+
+} // namespace dualblock
