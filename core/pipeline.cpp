@@ -182,6 +182,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   auto filled = fillDomain(domain, fillOptions);
   if (!filled.ok()) return nameCulprits(filled.error(), r.domain, options.tolerance);
   r.mesh = std::move(filled.value().mesh);
+  r.domain.deviation = std::max(r.domain.deviation, filled.value().deviation);
   clock.credit("tetgen", filled.value().tetgenMilliseconds);
   r.remedy = std::move(filled.value().remedy);
   r.fillSimplices = r.mesh.simplexCount();

@@ -209,7 +209,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
                  {}};
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);
   if (options.seed > 0) splitRandomEdges(mesh, options.seed);
-  return Filled<N>{std::move(mesh), std::move(fill.remedy), fill.tetgenMilliseconds};
+  return Filled<N>{std::move(mesh), std::move(fill.remedy), fill.tetgenMilliseconds, fill.deviation};
 }
 
 template Result<Filled<2>> fillDomain(const Domain<2> &, const FillOptions &);

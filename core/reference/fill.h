@@ -18,6 +18,7 @@ template <int N> struct Filled {
   ReferenceMesh<N> mesh; // surfaces 0 .. facets - 1 are the facets, their normals pointing out
   std::string remedy;    // see Tetrahedra
   double tetgenMilliseconds = 0;
+  double deviation = 0; // how far nodes on facets lie off them, at most, in a given mesh
 };
 
 /// Fills a validated domain. Errors: those of runTetgen, referenceInvalid, holeOutside, regionOutside,

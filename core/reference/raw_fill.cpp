@@ -206,6 +206,9 @@ template <int N> Result<RawFill<N>> fillByGiven(const Domain<N> &domain, double 
       }
       if (found == kNone)
         return invalid("has an outer face, of simplex " + std::to_string(s) + ", on no facet", s);
+      for (const Index v : fill.mesh.sortedFace(s, i))
+        fill.deviation =
+            std::max(fill.deviation, std::abs(planes[at(found)].distance(fill.mesh.nodes[at(v)])));
       fill.facetFaces.push_back({s, i});
       fill.facetOfFace.push_back(found);
     }

@@ -15,6 +15,7 @@ template <int N> struct RawFill {
   std::vector<Index> facetOfFace;
   std::string remedy;
   double tetgenMilliseconds = 0;
+  double deviation = 0; // how far nodes on facets lie off them, at most, in a given mesh
 };
 
 Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength);

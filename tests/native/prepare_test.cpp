@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/examples.h"
 #include "support/voxels.h"
 
 namespace dualblock {
@@ -50,6 +51,19 @@ TEST(Prepare2d, DropsVerticesOnStraightLinesAndTurnsLoops) {
   // The two halves of the bottom went into one segment.
   EXPECT_EQ(prepared.value().facetOfGiven[3], prepared.value().facetOfGiven[4]);
   EXPECT_NE(prepared.value().facetOfGiven[0], prepared.value().facetOfGiven[1]);
+}
+
+// A given reference mesh may be off the facets by rounding: its nodes on facets, not the facets, then carry
+// the blocks, and the certificate's tolerances must know.
+TEST(GivenReference, MayBeOffTheFacetsByRounding) {
+  auto domain = test::loadExample<2>("square_2d_second");
+  for (std::size_t v = 0; v < domain.vertices.size(); ++v) {
+    domain.vertices[v] += Vec<2>(v % 2 ? 1e-9 : -1e-9, v % 3 ? 1e-9 : -2e-9);
+    domain.reference->nodes[v] = domain.vertices[v];
+  }
+  const auto result = test::run(domain);
+  EXPECT_TRUE(result.certificate.valid) << test::failuresOf(result.certificate);
+  EXPECT_EQ(result.primal.blocks.size(), 4U);
 }
 
 TEST(Prepare3d, MergesCoplanarFacetsAndKeepsTrackOfThem) {
