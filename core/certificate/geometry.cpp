@@ -137,13 +137,13 @@ int signWithin(const Bernstein &p, double error, int depth) {
   return low <= 0 ? low : signWithin(half(p, split, true), error, depth - 1);
 }
 
-double facetMeasure(const std::vector<Vec<2>> &v, const Facet &f, const Vec<2> &o, bool) {
+double facetMeasure(const std::vector<Vec<2>> &v, const Facet &f, const Vec<2> &o) {
   const Vec<2> a = v[at(f.loops[0][0])] - o;
   const Vec<2> b = v[at(f.loops[0][1])] - o;
   return (a.x * b.y - a.y * b.x) / 2;
 }
 
-double facetMeasure(const std::vector<Vec<3>> &v, const Facet &f, const Vec<3> &o, bool) {
+double facetMeasure(const std::vector<Vec<3>> &v, const Facet &f, const Vec<3> &o) {
   double sum = 0; // signed volume of the cone from o over the facet, as a fan of each loop
   for (const auto &loop : f.loops)
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
@@ -179,7 +179,7 @@ template <int N> double domainMeasure(const CertificateInput<N> &in, double &sur
     const Facet &facet = in.domain.facets[f];
     const Vec<N> normal = facetNormal(in.domain.vertices, facet);
     const bool outward = glm::dot(normal, in.mesh.surfaces[f].plane.normal) > 0;
-    sum += (outward ? 1 : -1) * facetMeasure(in.domain.vertices, facet, origin, outward);
+    sum += (outward ? 1 : -1) * facetMeasure(in.domain.vertices, facet, origin);
     surface += glm::length(normal) / (N == 3 ? 2 : 1);
   }
   return sum;
@@ -192,10 +192,8 @@ std::string scientific(double x) {
   return text.str();
 }
 
-} // namespace
-
-template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
-  const Bernstein p = determinant<N>(corners);
+/// Sign (see jacobianSign) and ratio of the smallest to the largest coefficient of a block's determinant.
+template <int N> int signOf(const Bernstein &p, const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
   const auto [low, high] = std::minmax_element(p.c.begin(), p.c.end());
   ratio = *high > 0 ? *low / *high : -1;
   // Rounding: each coefficient is a mean of at most 64 determinants of coordinate differences, each exact to
@@ -212,6 +210,12 @@ template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, dou
   return signWithin(p, error, 9);
 }
 
+} // namespace
+
+template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
+  return signOf<N>(determinant<N>(corners), corners, ratio);
+}
+
 template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &certificate) {
   certificate.worstCoefficient = std::numeric_limits<double>::infinity();
   double sum = 0;
@@ -219,8 +223,9 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
     std::array<Vec<N>, 1 << N> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
       corners[k] = in.primal.positions[at(in.primal.blocks[at(b)].nodes[k])];
+    const Bernstein p = determinant<N>(corners);
     double ratio = 0;
-    const int sign = jacobianSign<N>(corners, ratio);
+    const int sign = signOf<N>(p, corners, ratio);
     certificate.worstCoefficient = std::min(certificate.worstCoefficient, ratio);
     if (sign <= 0)
       certificate.fail(Check::geometry,
@@ -228,7 +233,6 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
                            ? "block " + std::to_string(b) + " is inverted or flat at a point"
                            : "block " + std::to_string(b) + " could not be shown to be positive everywhere",
                        {{"block", b}});
-    const Bernstein p = determinant<N>(corners);
     double mean = 0;
     for (const double c : p.c) mean += c;
     sum += mean / static_cast<double>(p.c.size());

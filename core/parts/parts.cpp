@@ -1,7 +1,6 @@
 #include "parts/parts.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "base/disjoint_sets.h"
