@@ -1,24 +1,13 @@
-import { readFileSync } from 'node:fs';
 import { playwright } from '@vitest/browser-playwright';
-import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
+import { licenceAndSource, securityPolicy, serviceWorker } from './core/toolchain/page-plugins.ts';
 import { chromium } from './tests/support/chromium.ts';
-
-/** LICENSE.txt beside the page. */
-const licence: Plugin = {
-  name: 'licence',
-  apply: 'build',
-  generateBundle() {
-    const source = readFileSync(new URL('./LICENSE', import.meta.url), 'utf8');
-    this.emitFile({ type: 'asset', fileName: 'LICENSE.txt', source });
-  },
-};
 
 export default defineConfig({
   root: 'web',
   base: './',
   publicDir: '../public',
-  plugins: [licence],
+  plugins: [securityPolicy, licenceAndSource, serviceWorker],
   build: { outDir: '../dist', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },

@@ -151,6 +151,7 @@ template <int N> Error nameCulprits(const Error &error, const PreparedDomain<N> 
 /// The paper's rules on the contributions that the domain itself gives (figure 12).
 void checkMatchingOnly(PipelineResult<2> &r) {
   const Domain<2> &domain = r.domain.domain;
+  r.contributions = givenContributions(r.mesh, domain.contributions);
   for (const MatchingFault &fault :
        checkGivenContributions(r.mesh, domain.reference->simplices, domain.contributions))
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});

@@ -16,11 +16,12 @@
 namespace dualblock {
 namespace {
 
-template <int N> val domainToJs(const PreparedDomain<N> &prepared) {
+/// Vertices, and facets as loops of them.
+template <int N> val polygonsToJs(const Domain<N> &domain) {
   std::vector<Index> loopOffsets{0};
   std::vector<Index> facetOffsets{0};
   std::vector<Index> corners;
-  for (const Facet &facet : prepared.domain.facets) {
+  for (const Facet &facet : domain.facets) {
     for (const auto &loop : facet.loops) {
       corners.insert(corners.end(), loop.begin(), loop.end());
       loopOffsets.push_back(toIndex(corners.size()));
@@ -28,12 +29,17 @@ template <int N> val domainToJs(const PreparedDomain<N> &prepared) {
     facetOffsets.push_back(toIndex(loopOffsets.size()) - 1);
   }
   val d = val::object();
-  d.set("vertices", toJs<double>(prepared.domain.vertices));
-  d.set("givenVertex", toJs<Index>(prepared.givenVertex));
-  d.set("facetOfGiven", toJs<Index>(prepared.facetOfGiven));
+  d.set("vertices", toJs<double>(domain.vertices));
   d.set("facetOffsets", toJs<Index>(facetOffsets));
   d.set("loopOffsets", toJs<Index>(loopOffsets));
   d.set("loopVertices", toJs<Index>(corners));
+  return d;
+}
+
+template <int N> val domainToJs(const PreparedDomain<N> &prepared) {
+  val d = polygonsToJs(prepared.domain);
+  d.set("givenVertex", toJs<Index>(prepared.givenVertex));
+  d.set("facetOfGiven", toJs<Index>(prepared.facetOfGiven));
   d.set("regions", static_cast<double>(prepared.domain.regions.size()));
   d.set("deviation", prepared.deviation);
   d.set("repairs", stringsToJs(prepared.repairs));
@@ -247,7 +253,8 @@ public:
     if (domain_) std::visit([&](auto &domain) { domain.name = name; }, *domain_);
   }
 
-  /// settings: see readOptions; progress: (stage, done) => void or null.
+  /// settings: see readOptions; progress: (stage, done) => void or null. A failure brings the domain as given
+  /// along, so that the entities at fault can be shown.
   val run(const val &settings, const val &progress) {
     return guarded([&] {
       if (!domain_)
@@ -261,7 +268,10 @@ public:
       return std::visit(
           [&](const auto &domain) {
             auto result = runPipeline(domain, options.value(), report);
-            return result.ok() ? resultToJs(result.value()) : failure(result.error());
+            if (result.ok()) return resultToJs(result.value());
+            val failed = failure(result.error());
+            failed.set("given", polygonsToJs(domain));
+            return failed;
           },
           *domain_);
     });

@@ -2,7 +2,7 @@
 import createDualblock, { type CoreModule } from './build/dualblock.mjs';
 import { DualblockError } from './io/errors.ts';
 import { readSurface, type SurfaceFormat } from './io/surface-readers.ts';
-import type { CoreError, RunResult } from './result.ts';
+import type { CoreError, Polygons, RunResult } from './result.ts';
 import { defaultSettings, formatOf, type Settings } from './settings.ts';
 
 export { defaultSettings, formatOf, type InputFormat, inputFormats, type Settings } from './settings.ts';
@@ -10,8 +10,8 @@ export { defaultSettings, formatOf, type InputFormat, inputFormats, type Setting
 export type Progress = (stage: string, done: number) => void;
 
 const surfaceFormats: readonly string[] = ['stl', 'obj', 'ply'] satisfies SurfaceFormat[];
-const raise = (error: CoreError): never => {
-  throw new DualblockError(error.code, error.message, error.entities);
+const raise = (error: CoreError, given?: Polygons): never => {
+  throw new DualblockError(error.code, error.message, error.entities, given);
 };
 
 /** A domain at a time, and runs on it. Call dispose() when done: the core's memory is not collected by itself. */
@@ -45,7 +45,7 @@ export class Dualblock {
   /** Runs every stage on the loaded domain. Throws a DualblockError for bad input. */
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
     const answer = this.session.run({ ...defaultSettings, ...settings }, progress);
-    return answer.ok ? answer : raise(answer.error);
+    return answer.ok ? answer : raise(answer.error, answer.given);
   }
 
   /** Bytes of the core's memory: all that it ever needed, and what is in use now. */

@@ -9,7 +9,15 @@ export interface CoreError {
   entities: EntityReference[];
 }
 export type LoadAnswer = { ok: true } | { ok: false; error: CoreError };
-export type RunAnswer = (RunResult & { ok: true }) | { ok: false; error: CoreError };
+export type RunAnswer = (RunResult & { ok: true }) | { ok: false; error: CoreError; given?: Polygons };
+
+/** Facets (2D: segments) as loops of vertices, numbered as in the input; 2 or 3 coordinates per vertex. */
+export interface Polygons {
+  vertices: Float64Array;
+  facetOffsets: Int32Array;
+  loopOffsets: Int32Array;
+  loopVertices: Int32Array;
+}
 
 export type Check = 'matching' | 'cells' | 'topology' | 'geometry' | 'features';
 
@@ -32,13 +40,9 @@ export interface RunResult {
   /** The domain gave its own contributions: only their matching was checked. */
   onlyMatching: boolean;
   /** The domain after merging: facets as large as they are planar. */
-  domain: {
-    vertices: Float64Array;
+  domain: Polygons & {
     givenVertex: Int32Array;
     facetOfGiven: Int32Array;
-    facetOffsets: Int32Array;
-    loopOffsets: Int32Array;
-    loopVertices: Int32Array;
     regions: number;
     deviation: number;
     repairs: string[];

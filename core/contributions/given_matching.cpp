@@ -1,5 +1,6 @@
 #include "contributions/given_matching.h"
 
+#include <bit>
 #include <map>
 
 #include "base/disjoint_sets.h"
@@ -91,6 +92,28 @@ std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
                             "(paper 4.3, figure 12a)."});
   }
   return faults;
+}
+
+Contributions<2> givenContributions(const ReferenceMesh<2> &mesh,
+                                    const std::vector<GivenContribution> &contributions) {
+  Contributions<2> result;
+  result.present.assign(mesh.simplices.size(), 0);
+  result.soft.assign(mesh.simplices.size(), 0);
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    for (const GivenContribution &c : contributions) {
+      if (c.simplex != s) continue;
+      unsigned mask = 0;
+      for (const Index node : c.nodes) mask |= 1U << mesh.localVertex(s, node);
+      const ContributionSet bit = contributionBit(mask);
+      result.present[at(s)] = result.present[at(s)] | bit;
+      if (!c.hard) result.soft[at(s)] = result.soft[at(s)] | bit;
+      result.ofSimplex.items.push_back({kNone, static_cast<std::uint8_t>(mask)});
+    }
+    result.ofSimplex.closeList();
+    result.softCount += std::popcount(unsigned{result.soft[at(s)]});
+    result.hardCount += std::popcount(unsigned{result.present[at(s)]} & ~unsigned{result.soft[at(s)]});
+  }
+  return result;
 }
 
 } // namespace dualblock

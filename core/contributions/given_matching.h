@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "contributions/contributions.h"
 #include "domain/domain.h"
-#include "reference/reference_mesh.h"
 
 namespace dualblock {
 
@@ -22,5 +22,9 @@ struct MatchingFault {
 std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
                                                    const std::vector<std::array<Index, 3>> &triangles,
                                                    const std::vector<GivenContribution> &contributions);
+
+/// The same as contributions of the reference mesh, for looking at; they belong to no side.
+Contributions<2> givenContributions(const ReferenceMesh<2> &mesh,
+                                    const std::vector<GivenContribution> &contributions);
 
 } // namespace dualblock

@@ -3,7 +3,7 @@ import { afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { Dualblock } from '../../wasm/dualblock.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
 import { writeJson } from '../../wasm/io/write-json.ts';
-import { CoreClient } from '../../web/src/core-client.ts';
+import { CoreClient } from '../../web/src/core/core-client.ts';
 
 let client = new CoreClient();
 let ring: Uint8Array;

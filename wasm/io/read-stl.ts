@@ -1,7 +1,5 @@
-// STL. Binary files go through three.js's loader, which keeps their single precision numbers exactly; it
-// trusts the announced count and accepts NaN, so both are checked here. Text files have a reader of their own,
-// because three.js rounds their numbers to single precision and skips what it does not understand.
-import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+// STL. three.js's loader is not used: it trusts the announced count, rounds text to single precision, skips what it
+// does not understand, and would bring half of three.js into the worker for nine floats per facet.
 import { DualblockError } from './errors.ts';
 import type { RawSurface } from './polygon-soup.ts';
 import { readStlText } from './read-stl-text.ts';
@@ -43,8 +41,12 @@ export function readStl(bytes: Uint8Array): RawSurface {
   }
   if (count === 0) return { coordinates: new Float64Array(), ends: [], corners: [] };
 
-  const geometry = new STLLoader().parse(bytes.slice().buffer);
-  const coordinates = Float64Array.from(geometry.getAttribute('position').array);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const coordinates = new Float64Array(9 * count);
+  for (let facet = 0; facet < count; facet++) {
+    const corners = kHeader + kFacet * facet + 12; // after the facet's normal
+    for (let k = 0; k < 9; k++) coordinates[9 * facet + k] = view.getFloat32(corners + 4 * k, true);
+  }
   const bad = coordinates.findIndex((x) => !Number.isFinite(x));
   if (bad >= 0) {
     const facet = Math.floor(bad / 9);

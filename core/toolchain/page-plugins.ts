@@ -1,0 +1,68 @@
+// What the page's build adds to Vite's: a content security policy, the licence, the source, the service worker.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync } from 'node:fs';
+import type { Plugin } from 'vite';
+
+const root = new URL('../../', import.meta.url);
+
+/** The page needs nothing but its own files, and WebAssembly. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' blob: data:",
+  "connect-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
+
+export const securityPolicy: Plugin = {
+  name: 'security-policy',
+  apply: 'build',
+  transformIndexHtml: () => [
+    {
+      tag: 'meta',
+      attrs: { 'http-equiv': 'Content-Security-Policy', content: policy },
+      injectTo: 'head-prepend',
+    },
+  ],
+};
+
+/** LICENSE.txt and the source beside the page, as the AGPL asks of who offers it. */
+export const licenceAndSource: Plugin = {
+  name: 'licence-and-source',
+  apply: 'build',
+  generateBundle() {
+    this.emitFile({ type: 'asset', fileName: 'LICENSE.txt', source: readFileSync(new URL('LICENSE', root)) });
+    const kept = readdirSync(root).filter(
+      (name) => !['node_modules', 'build', 'dist', 'third_party', '.git'].includes(name),
+    );
+    const source = execFileSync('tar', ['-cz', '--exclude=build', ...kept], {
+      cwd: root,
+      maxBuffer: 2 ** 28,
+    });
+    this.emitFile({ type: 'asset', fileName: 'source.tar.gz', source });
+  },
+};
+
+/** sw.js with the list of everything that the build made, and of the public files. */
+export const serviceWorker: Plugin = {
+  name: 'service-worker',
+  apply: 'build',
+  enforce: 'post',
+  generateBundle(_, bundle) {
+    const built = Object.keys(bundle).filter((name) => !/^(source\.tar\.gz|index\.html)$/.test(name));
+    const examples = readdirSync(new URL('public/examples/', root)).map((name) => `examples/${name}`);
+    const files = ['', 'icon.svg', ...built, ...examples].map((name) => `./${name}`).sort();
+    const hash = createHash('sha256');
+    for (const [name, item] of Object.entries(bundle).sort(([a], [b]) => (a < b ? -1 : 1)))
+      if (name !== 'source.tar.gz') hash.update(name).update(item.type === 'chunk' ? item.code : item.source);
+    for (const name of examples) hash.update(readFileSync(new URL(`public/${name}`, root)));
+    const source = readFileSync(new URL('web/sw.js', root), 'utf8')
+      .replace('__VERSION__', `dualblock ${hash.digest('hex').slice(0, 16)}`)
+      .replace('__FILES__', JSON.stringify(files));
+    this.emitFile({ type: 'asset', fileName: 'sw.js', source });
+  },
+};

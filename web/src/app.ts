@@ -1,0 +1,343 @@
+// The page's controller: models and views, files and links. Panels call it; it changes the stores; the viewer follows.
+import firstUrl from '../../wasm/build/first.bin?url';
+import { DualblockError } from '../../wasm/io/errors.ts';
+import { formatOf } from '../../wasm/settings.ts';
+import { CoreClient, type RunAnswer } from './core/core-client.ts';
+import { type Example, exampleFile, fetchBytes, loadExamples } from './model/examples.ts';
+import type { Model } from './model/model.ts';
+import { Stage } from './stage.ts';
+import { type SavedView, viewFromFragment, viewFromJson, viewToFragment, viewToJson } from './state/codec.ts';
+import { extractText } from './state/png.ts';
+import { Store } from './state/store.ts';
+import { initialUi, type Problem, type UiState } from './state/ui-state.ts';
+import {
+  defaultState,
+  type Entity,
+  firstExample,
+  type ModelRef,
+  modelKey,
+  sameEntity,
+  sameModel,
+  type ViewState,
+} from './state/view-state.ts';
+
+const cachedModels = 8;
+/** Longest fragment of a link that holds a dropped model. */
+export const longestLink = 16_000;
+
+type Reference = ViewState['reference'];
+const sameReference = (a: Reference, b: Reference): boolean =>
+  a.edgeLength === b.edgeLength && a.seed === b.seed;
+
+export class App {
+  readonly view = new Store<ViewState>(defaultState);
+  readonly ui = new Store<UiState>(initialUi);
+  readonly core = new CoreClient();
+  readonly stage: Stage;
+  examples: Example[] = [];
+  model: Model | null = null;
+  private readonly models = new Map<string, Model>();
+  private readonly files = new Map<string, { name: string; bytes: Uint8Array }>();
+  private turn = 0;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.stage = new Stage(canvas, this);
+    this.view.subscribe((now, before) => this.follow(now, before));
+  }
+
+  /** Shows what the link asks for, or the default example, which is there before the core is. */
+  async start(): Promise<void> {
+    const listed = loadExamples().then((examples) => {
+      this.examples = examples;
+      this.setUi({ model: this.ui.state.model + 1 });
+    });
+    const linked = await viewFromFragment(location.hash);
+    if (linked) await this.restore(linked, 'the link');
+    else await this.showFirst();
+    await listed;
+    addEventListener('hashchange', async () => {
+      const view = await viewFromFragment(location.hash);
+      if (view) await this.restore(view, 'the link');
+    });
+  }
+
+  setUi(patch: Partial<UiState>): void {
+    this.ui.set(patch, { silent: true });
+  }
+
+  /** Says something once, to everybody. */
+  say(notice: string): void {
+    this.setUi({ notice });
+  }
+
+  // --- Models
+
+  openExample(name: string, patch: Partial<ViewState> = {}): Promise<boolean> {
+    const title = this.examples.find((e) => e.name === name)?.title ?? name;
+    return this.open({ source: 'example', name }, title, () => fetchBytes(exampleFile(name)), patch);
+  }
+
+  /** A file that was chosen or dropped: a domain, a state file, or a picture that holds a view. */
+  async openFile(file: File): Promise<boolean> {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (/\.png$/i.test(file.name)) {
+      const text = extractText(bytes);
+      const view = text === null ? null : viewFromJson(text);
+      if (view) return this.restore(view, file.name);
+      return this.fail(file.name, {
+        code: 'syntax',
+        message: `${file.name} holds no view: drop a picture that dualblock exported, unchanged.`,
+      });
+    }
+    if (/\.json$/i.test(file.name)) {
+      const view = viewFromJson(new TextDecoder().decode(bytes));
+      if (view) return this.restore(view, file.name);
+    }
+    return this.openBytes(file.name, bytes);
+  }
+
+  async openBytes(name: string, bytes: Uint8Array, patch: Partial<ViewState> = {}): Promise<boolean> {
+    const hash = await digest(bytes);
+    this.files.set(hash, { name, bytes });
+    return this.open({ source: 'file', name, hash }, name, async () => bytes, patch);
+  }
+
+  /** Runs the shown model anew with another reference mesh. */
+  async setReference(reference: Reference): Promise<void> {
+    const { model } = this.view.state;
+    await this.open(model, this.model?.title ?? '', () => this.bytesOf(model), { reference }, true);
+  }
+
+  cancel(): void {
+    if (!this.ui.state.busy) return;
+    this.turn++;
+    this.core.cancel();
+    this.setUi({ busy: null });
+    this.say('Cancelled. What was shown is still there.');
+  }
+
+  /** The file of the shown model, where it is no example. */
+  shownFile(): { name: string; bytes: Uint8Array } | undefined {
+    const { model } = this.view.state;
+    return model.source === 'file' ? this.files.get(model.hash) : undefined;
+  }
+
+  // --- Views
+
+  select(selection: Entity | null): void {
+    const { state } = this.view;
+    this.view.set({ selection: sameEntity(selection, state.selection) ? null : selection });
+  }
+
+  undo(): void {
+    this.say(this.view.undo() ? 'Undone.' : 'Nothing to undo.');
+  }
+
+  redo(): void {
+    this.say(this.view.redo() ? 'Redone.' : 'Nothing to redo.');
+  }
+
+  saved(): SavedView {
+    const file = this.shownFile();
+    return { state: this.view.state, ...(file ? { file } : {}) };
+  }
+
+  stateFile(): string {
+    return viewToJson(this.saved());
+  }
+
+  /** A link to what is seen; null where the model's file is too large for one. */
+  async link(): Promise<string | null> {
+    const file = this.shownFile();
+    if (file && file.bytes.length > 40 * longestLink) return null;
+    const fragment = await viewToFragment(this.saved());
+    if (fragment.length > longestLink) return null;
+    return `${location.origin}${location.pathname}${location.search}#${fragment}`;
+  }
+
+  /** Shows a saved view and its model. */
+  async restore({ state, file }: SavedView, from: string): Promise<boolean> {
+    const { model, ...patch } = state;
+    if (file) return this.openBytes(file.name, file.bytes, patch);
+    if (model.source === 'example') return this.openExample(model.name, patch);
+    const known = this.files.get(model.hash);
+    if (known) return this.openBytes(known.name, known.bytes, patch);
+    return this.fail(from, {
+      code: 'fileUnreadable',
+      message: `The view of ${model.name} comes without that file: open the file first, then the view again.`,
+    });
+  }
+
+  /** The problem's culprits in place of the model, and back. */
+  showProblem(on: boolean): void {
+    this.setUi({ showingProblem: on });
+    this.stage.showProblem(on ? this.ui.state.problem : null);
+  }
+
+  dismissProblem(): void {
+    this.showProblem(false);
+    this.setUi({ problem: null });
+  }
+
+  // --- Inside
+
+  private async showFirst(): Promise<void> {
+    try {
+      const response = await fetch(firstUrl);
+      if (!response.ok) throw new Error(String(response.status));
+      const answer = await this.core.unpack(new Uint8Array(await response.arrayBuffer()));
+      const ref: ModelRef = { source: 'example', name: firstExample };
+      this.accept(ref, this.view.state.reference, answer.result.title, answer, {}, true);
+    } catch {
+      await this.openExample(firstExample);
+    }
+  }
+
+  private async bytesOf(model: ModelRef): Promise<Uint8Array> {
+    if (model.source === 'example') return fetchBytes(exampleFile(model.name));
+    const file = this.files.get(model.hash);
+    if (!file) throw new DualblockError('fileUnreadable', `${model.name} is no longer there: open it again.`);
+    return file.bytes;
+  }
+
+  /** Runs a model and shows it; what was shown stays until then, and if it fails. */
+  private async open(
+    ref: ModelRef,
+    title: string,
+    read: () => Promise<Uint8Array>,
+    patch: Partial<ViewState>,
+    keepView = false,
+  ): Promise<boolean> {
+    const turn = ++this.turn;
+    this.core.cancel();
+    const reference = patch.reference ?? defaultState.reference;
+    const known = this.models.get(this.key(ref, reference));
+    if (known) {
+      this.setUi({ busy: null, problem: null });
+      this.enter(known, patch, false, keepView);
+      return true;
+    }
+    this.setUi({ busy: { title, stage: 'reading', done: 0 }, problem: null });
+    this.showProblem(false);
+    try {
+      const bytes = await read();
+      if (turn !== this.turn) return false;
+      if (ref.source === 'file') formatOf(ref.name);
+      const name = ref.source === 'example' ? `${ref.name}.json` : ref.name;
+      const answer = await this.core.run(name, bytes, reference, (stage, done) => {
+        if (turn === this.turn) this.setUi({ busy: { title, stage, done } });
+      });
+      if (turn !== this.turn) return false;
+      this.setUi({ busy: null });
+      this.accept(ref, reference, answer.result.title || title, answer, patch, false, keepView);
+      return true;
+    } catch (error) {
+      if (turn !== this.turn) return false;
+      this.setUi({ busy: null });
+      const known = error instanceof DualblockError;
+      return this.fail(title, {
+        code: known ? error.code : 'fileUnreadable',
+        message: error instanceof Error ? error.message : String(error),
+        entities: known ? error.entities : [],
+        given: known ? error.given : undefined,
+      });
+    }
+  }
+
+  private accept(
+    ref: ModelRef,
+    reference: Reference,
+    title: string,
+    { result, display, memory }: RunAnswer,
+    patch: Partial<ViewState>,
+    silent: boolean,
+    keepView = false,
+  ): void {
+    const model: Model = { ref, reference, title, result, display, memory };
+    this.models.set(this.key(ref, reference), model);
+    const oldest = this.models.keys().next().value;
+    if (this.models.size > cachedModels && oldest !== undefined) this.models.delete(oldest);
+    this.enter(model, patch, silent, keepView);
+  }
+
+  /** Makes a model the shown one: its own view, with the look that was chosen. */
+  private enter(model: Model, patch: Partial<ViewState>, silent: boolean, keepView: boolean): void {
+    this.model = model;
+    const { state } = this.view;
+    const { theme, projection, occlusion, layers } = state;
+    const noMesh = model.result.onlyMatching;
+    const fresh = keepView
+      ? { ...state, selection: null, isolated: null, hidden: [], scrub: defaultState.scrub }
+      : { ...defaultState, step: state.step, theme, projection, occlusion, layers };
+    const next = { ...fresh, ...patch, model: model.ref, reference: model.reference };
+    if (noMesh && next.step > 4) next.step = 4;
+    this.view.set(next, { silent });
+    this.stage.setModel(model);
+    this.setUi({ model: this.ui.state.model + 1 });
+    const { certificate, primal, onlyMatching } = model.result;
+    this.say(
+      onlyMatching
+        ? `${model.title}: the matching rules ${certificate.valid ? 'hold' : 'are broken'}.`
+        : `${model.title}: ${primal.quality.length} blocks, ${certificate.valid ? 'certified valid' : 'NOT valid'}.`,
+    );
+  }
+
+  private fail(title: string, problem: Partial<Problem> & { code: string; message: string }): false {
+    this.setUi({ problem: { title, entities: [], given: undefined, ...problem }, sheet: null });
+    return false;
+  }
+
+  /** Undo and redo may lead to another model. */
+  private follow(now: ViewState, before: ViewState): void {
+    const shown = this.model;
+    const wrong =
+      shown && (!sameModel(now.model, shown.ref) || !sameReference(now.reference, shown.reference));
+    if (wrong) {
+      const known = this.models.get(this.key(now.model, now.reference));
+      if (known) {
+        this.model = known;
+        this.stage.setModel(known);
+        this.setUi({ model: this.ui.state.model + 1, problem: null });
+      } else void this.rerun(now);
+      return;
+    }
+    this.stage.update(now, before);
+  }
+
+  private async rerun(state: ViewState): Promise<void> {
+    const turn = ++this.turn;
+    this.core.cancel();
+    this.setUi({ busy: { title: state.model.name, stage: 'reading', done: 0 }, problem: null });
+    try {
+      const bytes = await this.bytesOf(state.model);
+      const name = state.model.source === 'example' ? `${state.model.name}.json` : state.model.name;
+      const answer = await this.core.run(name, bytes, state.reference);
+      if (turn !== this.turn) return;
+      const { result, display, memory } = answer;
+      const title = result.title || state.model.name;
+      this.model = { ref: state.model, reference: state.reference, title, result, display, memory };
+      this.models.set(this.key(state.model, state.reference), this.model);
+      this.setUi({ busy: null, model: this.ui.state.model + 1 });
+      this.stage.setModel(this.model);
+    } catch (error) {
+      if (turn !== this.turn) return;
+      this.setUi({ busy: null });
+      this.fail(state.model.name, { code: 'internal', message: String(error) });
+    }
+  }
+
+  private key(ref: ModelRef, { edgeLength, seed }: Reference): string {
+    return `${modelKey(ref)} ${edgeLength} ${seed}`;
+  }
+}
+
+async function digest(bytes: Uint8Array): Promise<string> {
+  // No crypto.subtle outside secure contexts; two FNV-1a sums tell files apart well enough.
+  let a = 0x811c9dc5;
+  let b = 0x9747b28c;
+  for (const byte of bytes) {
+    a = Math.imul(a ^ byte, 0x01000193);
+    b = Math.imul(b ^ byte, 0x01000193) ^ (b >>> 13);
+  }
+  return [a, b].map((x) => (x >>> 0).toString(16).padStart(8, '0')).join('');
+}

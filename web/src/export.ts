@@ -1,0 +1,106 @@
+// What leaves the page: pictures, meshes, what is seen as glTF, reports.
+import { summarize } from '../../wasm/report.ts';
+import { defaultSettings } from '../../wasm/settings.ts';
+import type { App } from './app.ts';
+import type { Model } from './model/model.ts';
+import { viewToJson } from './state/codec.ts';
+import { embedText } from './state/png.ts';
+
+/** Hands a file to the browser. */
+export function download(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}
+
+const baseName = ({ result, title }: Model): string =>
+  (result.name || title || 'domain').replace(/[^\w.-]+/g, '_').slice(0, 80);
+
+/** The picture as a PNG that holds the view; see readers in app.ts. */
+export async function picture(app: App, scale: number, transparent: boolean): Promise<Blob> {
+  const blob = await app.stage.viewer.picture(scale, transparent);
+  const bytes = embedText(new Uint8Array(await blob.arrayBuffer()), viewToJson(app.saved()));
+  return new Blob([bytes], { type: 'image/png' });
+}
+
+export async function pictureOf(app: App, scale: number, transparent: boolean): Promise<void> {
+  const { model } = app;
+  if (!model) throw new Error('Nothing is shown yet.');
+  download(await picture(app, scale, transparent), `${baseName(model)}-step${app.view.state.step}.png`);
+  app.say('Picture saved. Drop it here to come back to this view.');
+}
+
+/** Bins of the histogram and how many blocks are in each. */
+export function histogramCsv({ result }: Model): string {
+  const summary = summarize(result.primal.quality);
+  const counts = summary?.histogram ?? [];
+  const width = 2 / Math.max(1, counts.length);
+  const rows = counts.map(
+    (n, k) => `${(-1 + k * width).toFixed(1)},${(-1 + (k + 1) * width).toFixed(1)},${n}`,
+  );
+  return `from,to,blocks\n${rows.join('\n')}\n`;
+}
+
+interface Exporter {
+  id: string;
+  name: string;
+  hint: string;
+  allowed: (app: App) => boolean;
+  save: (app: App) => Promise<void>;
+}
+
+const valid = ({ model }: App): boolean =>
+  model?.result.certificate.valid === true && !model.result.onlyMatching;
+const any = ({ model }: App): boolean => model !== null;
+
+/** Only certified meshes are handed out. */
+const mesh = (extension: string, name: string, hint: string): Exporter => ({
+  id: extension,
+  name,
+  hint,
+  allowed: valid,
+  save: async (app) => {
+    const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
+    const text = meshWriter(`mesh.${extension}`)(app.model!.result);
+    download(new Blob([text]), `${baseName(app.model!)}.${extension}`);
+  },
+});
+
+export const exporters: Exporter[] = [
+  mesh('vtk', 'Mesh, VTK', 'blocks with part and quality; for ParaView'),
+  mesh('mesh', 'Mesh, Medit', 'blocks and boundary with references'),
+  mesh('json', 'Everything, JSON', 'every stage’s result, from tetrahedra to blocks'),
+  {
+    id: 'gltf',
+    name: 'What is seen, glTF',
+    hint: 'as binary .glb, with colours',
+    allowed: any,
+    save: async (app) => {
+      const { sceneToGlb } = await import('./scene/gltf.ts');
+      download(await sceneToGlb(app.stage.scene!), `${baseName(app.model!)}.glb`);
+    },
+  },
+  {
+    id: 'report',
+    name: 'Report, JSON',
+    hint: 'counts, certificate, quality; as from the command line',
+    allowed: any,
+    save: async (app) => {
+      const { makeReport } = await import('../../wasm/report.ts');
+      const model = app.model!;
+      const report = makeReport(model.result, { ...defaultSettings, ...model.reference }, model.memory);
+      download(new Blob([JSON.stringify(report, null, 1)]), `${baseName(model)}-report.json`);
+    },
+  },
+  {
+    id: 'csv',
+    name: 'Histogram, CSV',
+    hint: 'scaled Jacobians in 20 bins',
+    allowed: valid,
+    save: async (app) =>
+      download(new Blob([histogramCsv(app.model!)]), `${baseName(app.model!)}-quality.csv`),
+  },
+];

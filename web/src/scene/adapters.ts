@@ -1,0 +1,197 @@
+// From what a run derived to layers of the scene: what each stage looks like, and in which colours.
+import type { Model, RefinedDisplay } from '../model/model.ts';
+import { surfacesOfContribution } from '../model/provenance.ts';
+import { type LayerId, layerIds } from '../state/view-state.ts';
+import { CellLayer } from './cell-layer.ts';
+import type { Filterable } from './filters.ts';
+import { PointLayer, SegmentLayer } from './instanced-layers.ts';
+import type { Layer, Paint } from './layer.ts';
+import {
+  cellPalette,
+  distinct,
+  featurePalette,
+  hardRed,
+  mix,
+  qualityColour,
+  softBlue,
+  softLight,
+  type Theme,
+} from './palette.ts';
+
+interface Made {
+  layer: Layer;
+  filterable: Filterable;
+}
+
+/** A layer of the model, not yet painted; undefined where the model has nothing for it. */
+export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | null): Made | undefined {
+  const { display, result } = model;
+  const flat = display.dimension === 2;
+  const number = layerIds.indexOf(id) + 1;
+  const made = (layer: Layer, more: Partial<Filterable> = {}): Made => ({
+    layer,
+    filterable: { count: layer.count, centers: layer.centers, ...more },
+  });
+  switch (id) {
+    case 'facets':
+      return made(new CellLayer(display.domain.facets, { kind: 'facet', number, lit: flat ? 0 : 1 }));
+    case 'curves':
+      return made(new SegmentLayer(display.domain.curves, 2.6, { kind: flat ? 'facet' : 'curve', number }));
+    case 'vertices':
+      return made(new PointLayer(display.domain.vertices, 10, { kind: 'vertex', number }));
+    case 'simplices': {
+      const layer = new CellLayer(display.reference, { kind: 'simplex', number, lit: flat ? 0 : 1 });
+      return made(layer, { depth: display.reference.depth });
+    }
+    case 'wire':
+      return made(new SegmentLayer(meshEdges(model), 1, { kind: 'simplex', number, bias: 0 }));
+    case 'hard':
+    case 'soft':
+    case 'surfaces': {
+      const order = new Int32Array(display.contributions.count);
+      const seen = [0, 0];
+      display.contributions.soft.forEach((soft, c) => {
+        order[c] = seen[soft]!++;
+      });
+      const layer = flat
+        ? new SegmentLayer(display.contributions.segments, 3.4, { kind: 'contribution', number, bias: 3e-4 })
+        : new CellLayer(display.contributions.polygons, { kind: 'contribution', number });
+      return made(layer, id === 'surfaces' ? {} : { order });
+    }
+    case 'crossings':
+      return display.contributions.crossings.entity.length > 0
+        ? made(crossingLayer(model, number))
+        : undefined;
+    case 'cells':
+      return display.dual.cells.count > 0
+        ? made(new CellLayer(display.dual.cells, { kind: 'cell', number, lit: flat ? 0 : 1 }), {
+            depth: display.dual.cells.depth,
+          })
+        : undefined;
+    case 'edges':
+      return display.nodes.length > 0
+        ? made(new SegmentLayer(primalEdges(model), 2.2, { kind: 'edge', number, bias: 1e-4 }))
+        : undefined;
+    case 'nodes':
+      return display.nodes.length > 0
+        ? made(new PointLayer(display.nodes, 13, { kind: 'node', number }))
+        : undefined;
+    case 'blocks':
+      return display.blocks.count > 0
+        ? made(new CellLayer(display.blocks, { kind: 'block', number, lit: flat ? 0 : 1 }), {
+            depth: display.blocks.depth,
+            quality: result.primal.quality,
+          })
+        : undefined;
+    case 'refined':
+      return refined
+        ? made(new CellLayer(refined.cells, { kind: 'element', number, lit: flat ? 0 : 1 }), {
+            depth: refined.cells.depth,
+            quality: refined.quality,
+          })
+        : undefined;
+  }
+}
+
+/** Gives a layer its colours. */
+export function paintLayer(
+  id: LayerId,
+  layer: Layer,
+  model: Model,
+  refined: RefinedDisplay | null,
+  theme: Theme,
+): void {
+  layer.paint(paintOf(id, model, refined, theme));
+}
+
+function paintOf(
+  id: LayerId,
+  model: Model,
+  refined: RefinedDisplay | null,
+  theme: Theme,
+): (id: number) => Paint {
+  const { display, result } = model;
+  const flat = display.dimension === 2;
+  const { contributions, dual } = display;
+  const kindColour = (kind: number | undefined): Paint => ({
+    colour: featurePalette[(kind ?? 0) - 1] ?? theme.line,
+  });
+  switch (id) {
+    case 'facets':
+      return () => ({ colour: theme.facet });
+    case 'curves':
+      return (c) => (flat ? { colour: theme.line } : kindColour(result.features.kind[c]));
+    case 'vertices':
+      return (v) => (flat ? kindColour(result.features.kind[v]) : { colour: theme.line });
+    case 'simplices': {
+      const { ofSimplex, count } = result.parts;
+      return (s) => ({
+        colour: count > 1 ? mix(distinct(ofSimplex[s]!), theme.simplex, 0.45) : theme.simplex,
+      });
+    }
+    case 'wire':
+      return () => ({ colour: mix(theme.line, theme.paper, 0.35) });
+    case 'hard':
+      return () => ({ colour: hardRed });
+    case 'soft':
+      return () => (flat ? { colour: softBlue, second: softBlue } : { colour: softBlue, second: softLight });
+    case 'surfaces':
+      return (c) => {
+        const surfaces = surfacesOfContribution(model, c);
+        if (surfaces.length === 0) return { colour: contributions.soft[c] ? softBlue : hardRed };
+        const colour = distinct(surfaces[0]!);
+        return contributions.soft[c] && surfaces[1] !== undefined
+          ? { colour, second: distinct(surfaces[1]) }
+          : { colour };
+      };
+    case 'crossings':
+      return () => ({ colour: theme.line });
+    case 'cells':
+    case 'nodes':
+      return (cell) => ({ colour: cellPalette[dual.colour[cell]!] ?? theme.facet });
+    case 'edges':
+      return () => ({ colour: theme.line });
+    case 'blocks':
+      return (b) => ({ colour: qualityColour(result.primal.quality[b]!) });
+    case 'refined':
+      return (e) => ({ colour: qualityColour(refined?.quality[e] ?? 1) });
+  }
+}
+
+/** In 2D D̄-curves cross in points, in 3D D̄-surfaces in curves. */
+function crossingLayer({ display }: Model, number: number): Layer {
+  const { crossings } = display.contributions;
+  if (display.dimension === 3) return new SegmentLayer(crossings, 3, { kind: 'surface', number, bias: 4e-4 });
+  const points = new Float32Array(3 * crossings.entity.length);
+  for (let k = 0; k < crossings.entity.length; k++)
+    points.set(crossings.ends.subarray(6 * k, 6 * k + 3), 3 * k);
+  return new PointLayer(points, 9, { kind: 'surface', number });
+}
+
+/** Each edge of the reference mesh once; it belongs to one of its simplices. */
+function meshEdges({ display }: Model): { ends: Float32Array; entity: Int32Array } {
+  const { points, lines, pointCell } = display.reference;
+  const seen = new Set<string>();
+  const ends: number[] = [];
+  const entity: number[] = [];
+  for (let k = 0; k < lines.length; k += 2) {
+    const a = points.subarray(3 * lines[k]!, 3 * lines[k]! + 3);
+    const b = points.subarray(3 * lines[k + 1]!, 3 * lines[k + 1]! + 3);
+    const keys = [a.join(), b.join()].sort();
+    const key = keys.join('|');
+    if (seen.has(key)) continue;
+    seen.add(key);
+    ends.push(...a, ...b);
+    entity.push(pointCell[lines[k]!]!);
+  }
+  return { ends: Float32Array.from(ends), entity: Int32Array.from(entity) };
+}
+
+function primalEdges({ display, result }: Model): { ends: Float32Array; entity: Int32Array } {
+  const { edges } = result.primal;
+  const ends = new Float32Array(3 * edges.length);
+  edges.forEach((node, k) => {
+    ends.set(display.nodes.subarray(3 * node, 3 * node + 3), 3 * k);
+  });
+  return { ends, entity: Int32Array.from({ length: edges.length / 2 }, (_, k) => k) };
+}

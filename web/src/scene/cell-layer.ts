@@ -1,0 +1,194 @@
+// Cells as faces and outlines. Only faces that can be seen are drawn: those without a visible neighbour.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  LineSegments,
+  Mesh,
+  type ShaderMaterial,
+} from 'three';
+import type { CellSet } from '../display/cell-set.ts';
+import type { EntityKind } from '../state/view-state.ts';
+import { type Cap, capsOf } from './caps.ts';
+import { Colours, type Layer, type Paint, pointTexture } from './layer.ts';
+import { cellMaterial, type LayerUniforms, layerUniforms } from './shaders.ts';
+
+export interface CellLayerOptions {
+  kind: EntityKind;
+  /** Number for picking, over 0. */
+  number: number;
+  faces?: boolean;
+  outlines?: boolean;
+  /** 0: colours as they are; 1: lit. */
+  lit?: number;
+}
+
+/** A plane { p : normal · p = offset }; what is in front of it is cut away. */
+export interface Plane {
+  normal: readonly [number, number, number];
+  offset: number;
+}
+
+export class CellLayer implements Layer {
+  readonly object = new Group();
+  readonly kind: EntityKind;
+  readonly count: number;
+  readonly uniforms: LayerUniforms;
+  readonly centers: Float32Array;
+  readonly set: CellSet;
+  private readonly colours: Colours;
+  private readonly faces: Mesh<BufferGeometry, ShaderMaterial> | null = null;
+  private readonly outlines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
+  private readonly caps: Mesh<BufferGeometry, ShaderMaterial> | null = null;
+  private readonly exposed: Uint8Array;
+  private mask: Uint8Array | null = null;
+
+  constructor(set: CellSet, options: CellLayerOptions) {
+    const { kind, number, faces = true, outlines = true, lit = 1 } = options;
+    this.set = set;
+    this.kind = kind;
+    this.count = set.count;
+    this.centers = set.centers;
+    this.uniforms = layerUniforms(number);
+    this.colours = new Colours(set.count);
+    this.uniforms.colours.value = this.colours.texture;
+    this.uniforms.centers.value = pointTexture(set.centers);
+    this.exposed = new Uint8Array(set.faceCell.length);
+    const position = new BufferAttribute(set.points, 3);
+    const cell = new BufferAttribute(Float32Array.from(set.pointCell), 1);
+    if (faces) {
+      this.faces = new Mesh(
+        indexed(position, cell, triangleCount(set) * 3),
+        cellMaterial(this.uniforms, { lit }),
+      );
+      this.caps = new Mesh(new BufferGeometry(), cellMaterial(this.uniforms, { lit: 0, cap: true }));
+      this.caps.visible = false;
+      this.object.add(this.faces, this.caps);
+    }
+    if (outlines && set.lines.length > 0) {
+      this.outlines = new LineSegments(
+        indexed(position, cell, set.lines.length),
+        cellMaterial(this.uniforms, { lines: true }),
+      );
+      this.object.add(this.outlines);
+    }
+    for (const child of this.object.children) child.frustumCulled = false;
+    this.show(null, false);
+  }
+
+  paint(of: (id: number) => Paint): void {
+    this.colours.paint(of);
+  }
+
+  mark(of: ((id: number) => number) | null): void {
+    this.colours.mark(of);
+  }
+
+  colourOf(id: number) {
+    return this.colours.of(id);
+  }
+
+  show(mask: Uint8Array | null, gaps: boolean): void {
+    const { set, exposed } = this;
+    this.mask = mask;
+    for (let f = 0; f < exposed.length; f++) {
+      const other = set.faceOther[f]!;
+      const visible = !mask || mask[set.faceCell[f]!] !== 0;
+      exposed[f] = visible && (gaps || other < 0 || (mask !== null && mask[other] === 0)) ? 1 : 0;
+    }
+    if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
+    if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, out));
+  }
+
+  /** Closes the cells that the planes cut; none removes the caps. */
+  cap(planes: readonly Plane[]): void {
+    if (!this.caps) return;
+    this.caps.visible = planes.length > 0;
+    if (planes.length === 0) return;
+    const { shrink, explode, origin } = this.uniforms;
+    const deform = { shrink: shrink.value, explode: explode.value, origin: origin.value.toArray() };
+    const cap = capsOf(this.set, this.mask, planes, deform);
+    this.caps.geometry.dispose();
+    this.caps.geometry = capGeometry(cap);
+  }
+
+  /** Triangles and outlines as they are drawn now, for export. */
+  drawn(): { points: Float32Array; cell: Int32Array; triangles: Uint32Array; lines: Uint32Array } {
+    const used = (geometry: BufferGeometry | undefined): Uint32Array =>
+      geometry
+        ? (geometry.index!.array as Uint32Array).slice(0, geometry.drawRange.count)
+        : new Uint32Array();
+    return {
+      points: this.set.points,
+      cell: this.set.pointCell,
+      triangles: used(this.faces?.geometry),
+      lines: used(this.outlines?.geometry),
+    };
+  }
+
+  dispose(): void {
+    for (const object of [this.faces, this.outlines, this.caps]) {
+      object?.geometry.dispose();
+      object?.material.dispose();
+    }
+    this.colours.texture.dispose();
+    this.uniforms.centers.value?.dispose();
+  }
+
+  private fill(geometry: BufferGeometry, write: (out: Uint32Array) => number): void {
+    const index = geometry.index!;
+    const used = write(index.array as Uint32Array);
+    geometry.setDrawRange(0, used);
+    index.clearUpdateRanges();
+    index.addUpdateRange(0, used);
+    index.needsUpdate = true;
+  }
+}
+
+function indexed(position: BufferAttribute, cell: BufferAttribute, most: number): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', position);
+  geometry.setAttribute('cell', cell);
+  const index = new BufferAttribute(new Uint32Array(most), 1);
+  index.setUsage(DynamicDrawUsage);
+  geometry.setIndex(index);
+  return geometry;
+}
+
+function triangleCount({ faceOffsets, faceCell }: CellSet): number {
+  return faceOffsets[faceCell.length]! - 2 * faceCell.length;
+}
+
+function triangles({ faceOffsets, facePoints }: CellSet, exposed: Uint8Array, out: Uint32Array): number {
+  let n = 0;
+  for (let f = 0; f < exposed.length; f++) {
+    if (!exposed[f]) continue;
+    const from = faceOffsets[f]!;
+    for (let k = from + 1; k + 1 < faceOffsets[f + 1]!; k++) {
+      out[n++] = facePoints[from]!;
+      out[n++] = facePoints[k]!;
+      out[n++] = facePoints[k + 1]!;
+    }
+  }
+  return n;
+}
+
+function outlines({ lines, lineFaces }: CellSet, exposed: Uint8Array, out: Uint32Array): number {
+  let n = 0;
+  for (let k = 0; k < lines.length; k += 2) {
+    const second = lineFaces[k + 1]!;
+    if (!exposed[lineFaces[k]!] && !(second >= 0 && exposed[second])) continue;
+    out[n++] = lines[k]!;
+    out[n++] = lines[k + 1]!;
+  }
+  return n;
+}
+
+function capGeometry({ points, cell, index }: Cap): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(points, 3));
+  geometry.setAttribute('cell', new BufferAttribute(cell, 1));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}

@@ -1,0 +1,82 @@
+// What all layers of the scene have in common: entities with colours, flags and visibility.
+import { DataTexture, FloatType, NearestFilter, type Object3D, RGBAFormat, UnsignedByteType } from 'three';
+import type { EntityKind } from '../state/view-state.ts';
+import { type LayerUniforms, rowWidth } from './shaders.ts';
+
+/** An RGB colour, 0 to 255. */
+export type Rgb = readonly [number, number, number];
+
+/** How an entity is drawn: its colour, and a second one to hatch (cells) or dash (segments) it with. */
+export interface Paint {
+  colour: Rgb;
+  second?: Rgb;
+}
+
+export const flag = { none: 0, related: 1, selected: 2 } as const;
+
+export interface Layer {
+  readonly object: Object3D;
+  readonly kind: EntityKind;
+  readonly count: number;
+  readonly uniforms: LayerUniforms;
+  /** xyz per entity, for filters. */
+  readonly centers: Float32Array;
+  paint(of: (id: number) => Paint): void;
+  /** A flag per entity; null for none. */
+  mark(of: ((id: number) => number) | null): void;
+  /** Shows the entities whose byte is not 0; null for all. `gaps`: cells do not touch. */
+  show(mask: Uint8Array | null, gaps: boolean): void;
+  dispose(): void;
+}
+
+/** Two texels per entity: colour and flag, second colour and whether there is one. */
+export class Colours {
+  readonly texture: DataTexture;
+  private readonly data: Uint8Array;
+  private readonly count: number;
+
+  constructor(count: number) {
+    this.count = count;
+    const rows = Math.max(1, Math.ceil((2 * count) / rowWidth));
+    this.data = new Uint8Array(4 * rowWidth * rows);
+    this.texture = new DataTexture(this.data, rowWidth, rows, RGBAFormat, UnsignedByteType);
+    this.texture.minFilter = NearestFilter;
+    this.texture.magFilter = NearestFilter;
+    this.texture.needsUpdate = true;
+  }
+
+  paint(of: (id: number) => Paint): void {
+    for (let id = 0; id < this.count; id++) {
+      const { colour, second } = of(id);
+      for (let k = 0; k < 3; k++) {
+        this.data[8 * id + k] = colour[k]!;
+        this.data[8 * id + 4 + k] = second?.[k] ?? 0;
+      }
+      this.data[8 * id + 7] = second ? 255 : 0;
+    }
+    this.texture.needsUpdate = true;
+  }
+
+  mark(of: ((id: number) => number) | null): void {
+    for (let id = 0; id < this.count; id++) this.data[8 * id + 3] = of ? of(id) : 0;
+    this.texture.needsUpdate = true;
+  }
+
+  /** The colour of an entity as it was painted. */
+  of(id: number): Rgb {
+    return [this.data[8 * id]!, this.data[8 * id + 1]!, this.data[8 * id + 2]!];
+  }
+}
+
+/** xyz per entity as a texture for shaders. */
+export function pointTexture(points: Float32Array): DataTexture {
+  const count = points.length / 3;
+  const rows = Math.max(1, Math.ceil(count / rowWidth));
+  const data = new Float32Array(4 * rowWidth * rows);
+  for (let k = 0; k < count; k++) data.set(points.subarray(3 * k, 3 * k + 3), 4 * k);
+  const texture = new DataTexture(data, rowWidth, rows, RGBAFormat, FloatType);
+  texture.minFilter = NearestFilter;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}

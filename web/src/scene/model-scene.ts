@@ -1,0 +1,239 @@
+// The layers of one model, made when they are first seen, and how a view state shows them in a step.
+import { Group, Vector3 } from 'three';
+import type { Model, RefinedDisplay } from '../model/model.ts';
+import { type Related, relate } from '../model/provenance.ts';
+import {
+  type Entity,
+  explodeOf,
+  type LayerId,
+  layerIds,
+  layerSetting,
+  type Step,
+  shrinkOf,
+  type ViewState,
+} from '../state/view-state.ts';
+import { makeLayer, paintLayer } from './adapters.ts';
+import { CellLayer } from './cell-layer.ts';
+import { type Filterable, placeSlice, type SlicePlane, visibleMask } from './filters.ts';
+import { flag, type Layer } from './layer.ts';
+import type { Theme } from './palette.ts';
+
+interface Entry {
+  layer: Layer;
+  filterable: Filterable;
+  /** What the layer was last shown with, so that equal views cost nothing. */
+  shown: string;
+}
+
+export class ModelScene {
+  readonly object = new Group();
+  readonly model: Model;
+  private readonly entries = new Map<LayerId, Entry>();
+  private refined: RefinedDisplay | null = null;
+  private theme: Theme;
+  private related: Related | null = null;
+  private selection: Entity | null = null;
+  private isolated: { entity: Entity; related: Related } | null = null;
+  readonly center = new Vector3();
+  /** Radius of a ball around the domain. */
+  readonly radius: number;
+
+  constructor(model: Model, theme: Theme) {
+    this.model = model;
+    this.theme = theme;
+    const { box } = model.display;
+    this.center.set((box[0]! + box[3]!) / 2, (box[1]! + box[4]!) / 2, (box[2]! + box[5]!) / 2);
+    this.radius = 0.5 * Math.hypot(box[3]! - box[0]!, box[4]! - box[1]!, box[5]! - box[2]!) || 1;
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    for (const [id, { layer }] of this.entries) paintLayer(id, layer, this.model, this.refined, theme);
+  }
+
+  setRefined(refined: RefinedDisplay | null): void {
+    this.refined = refined;
+    this.drop('refined');
+    this.selection = null; // its counterparts change
+    this.related = null;
+  }
+
+  get refinement(): RefinedDisplay | null {
+    return this.refined;
+  }
+
+  /** The layer that a picked number stands for. */
+  layerOf(number: number): Layer | undefined {
+    const id = layerIds[number - 1];
+    return id && this.entries.get(id)?.layer;
+  }
+
+  layer(id: LayerId): Layer | undefined {
+    return this.entries.get(id)?.layer;
+  }
+
+  relatedTo(entity: Entity | null): Related | null {
+    return entity ? relate(this.model, entity, this.refined?.block) : null;
+  }
+
+  /** Brings the layers into the state of a step; what is to be drawn is visible afterwards. */
+  apply(state: ViewState, step: Step): void {
+    this.select(state.selection);
+    this.isolate(state.isolated);
+    const plane = state.slice ? placeSlice(state.slice, this.model.display.box) : null;
+    for (const id of layerIds) {
+      const { visible, opacity } = layerSetting(state, step, id);
+      const entry = visible ? this.entry(id) : this.entries.get(id);
+      if (!entry) continue;
+      entry.layer.object.visible = visible;
+      if (!visible) continue;
+      this.deform(entry.layer, id, state, step, opacity);
+      this.filter(entry, id, state, step, plane);
+    }
+  }
+
+  /** Visible layers, opaque ones first. */
+  visible(): { id: LayerId; layer: Layer; opacity: number }[] {
+    return layerIds
+      .flatMap((id) => {
+        const layer = this.entries.get(id)?.layer;
+        return layer?.object.visible ? [{ id, layer, opacity: layer.uniforms.opacity.value }] : [];
+      })
+      .sort((a, b) => b.opacity - a.opacity);
+  }
+
+  dispose(): void {
+    for (const id of [...this.entries.keys()]) this.drop(id);
+  }
+
+  private deform(layer: Layer, id: LayerId, state: ViewState, step: Step, opacity: number): void {
+    const { uniforms } = layer;
+    const deforms = id === 'simplices' || id === 'cells' || id === 'blocks' || id === 'refined';
+    uniforms.opacity.value = opacity;
+    uniforms.shrink.value = deforms ? shrinkOf(state, step) : 1;
+    uniforms.explode.value = deforms ? explodeOf(state, step) : 0;
+    uniforms.origin.value.copy(this.center);
+    uniforms.dimmed.value = state.selection ? 1 : 0;
+  }
+
+  private filter(entry: Entry, id: LayerId, state: ViewState, step: Step, plane: SlicePlane | null): void {
+    const { layer, filterable } = entry;
+    const { shrink, explode } = layer.uniforms;
+    const gaps = shrink.value < 1 || explode.value > 0;
+    const cuts = state.slice?.capped === true && plane !== null;
+    const context = id === 'wire' || id === 'curves'; // stays for orientation, whatever is hidden
+    const own = id !== 'crossings'; // whose entities are no entities of the model
+    const hidden = own ? state.hidden.filter((e) => e.kind === layer.kind).map((e) => e.id) : [];
+    const only = this.isolated && own && !context ? this.isolated.related[layer.kind] : null;
+    const until =
+      (id === 'hard' && step === 3
+        ? state.scrub.hard
+        : id === 'soft' && step === 4
+          ? state.scrub.soft
+          : null) ?? Number.POSITIVE_INFINITY;
+    const quality = id === 'blocks' || id === 'refined' ? state.quality : null;
+    const key = JSON.stringify([
+      gaps,
+      cuts ? [plane, shrink.value, explode.value] : null,
+      cuts ? null : plane,
+      state.peel,
+      quality,
+      hidden,
+      state.isolated && only,
+      until === Number.POSITIVE_INFINITY ? null : until,
+      id === 'surfaces' ? state.surfaces : null,
+      state.isolated,
+    ]);
+    if (key === entry.shown) return;
+    entry.shown = key;
+    const mask = visibleMask(filterable, {
+      plane: cuts || context ? null : plane,
+      peel: state.peel,
+      quality,
+      hidden: new Set(hidden),
+      only,
+      until,
+    });
+    layer.show(this.restrict(id, mask, layer.count, state), gaps);
+    if (layer instanceof CellLayer) layer.cap(cuts && plane ? planesOf(plane) : []);
+  }
+
+  /** Contributions belong to one of two layers; D̄-surfaces show both, or one kind. */
+  private restrict(id: LayerId, mask: Uint8Array | null, count: number, state: ViewState): Uint8Array | null {
+    const { soft } = this.model.display.contributions;
+    const wanted =
+      id === 'hard'
+        ? 0
+        : id === 'soft'
+          ? 1
+          : id === 'surfaces' && state.surfaces !== 'both'
+            ? Number(state.surfaces === 'soft')
+            : -1;
+    if (wanted < 0) return mask;
+    const out = mask ?? new Uint8Array(count).fill(1);
+    for (let c = 0; c < count; c++) if (soft[c] !== wanted) out[c] = 0;
+    return out;
+  }
+
+  private select(selection: Entity | null): void {
+    const same = this.selection?.kind === selection?.kind && this.selection?.id === selection?.id;
+    if (same && (selection === null) === (this.related === null)) return;
+    this.selection = selection;
+    this.related = this.relatedTo(selection);
+    for (const [id, { layer }] of this.entries) this.mark(id, layer);
+  }
+
+  private mark(id: LayerId, layer: Layer): void {
+    const { related, selection } = this;
+    if (!related || !selection || id === 'crossings') {
+      layer.mark(null);
+      return;
+    }
+    const set = related[layer.kind];
+    layer.mark((id) =>
+      layer.kind === selection.kind && id === selection.id
+        ? flag.selected
+        : set.has(id)
+          ? flag.related
+          : flag.none,
+    );
+  }
+
+  private isolate(entity: Entity | null): void {
+    if (!entity) this.isolated = null;
+    else if (this.isolated?.entity.kind !== entity.kind || this.isolated.entity.id !== entity.id)
+      this.isolated = { entity, related: this.relatedTo(entity)! };
+  }
+
+  private entry(id: LayerId): Entry | undefined {
+    const known = this.entries.get(id);
+    if (known) return known;
+    const made = makeLayer(id, this.model, this.refined);
+    if (!made) return undefined;
+    const entry = { ...made, shown: '' };
+    this.entries.set(id, entry);
+    this.object.add(entry.layer.object);
+    paintLayer(id, entry.layer, this.model, this.refined, this.theme);
+    this.mark(id, entry.layer);
+    return entry;
+  }
+
+  private drop(id: LayerId): void {
+    const entry = this.entries.get(id);
+    if (!entry) return;
+    this.object.remove(entry.layer.object);
+    entry.layer.dispose();
+    this.entries.delete(id);
+  }
+}
+
+/** The planes that bound what stays. */
+export function planesOf({
+  normal,
+  low,
+  high,
+}: SlicePlane): { normal: [number, number, number]; offset: number }[] {
+  const planes = [{ normal, offset: high }];
+  if (Number.isFinite(low)) planes.push({ normal: [-normal[0], -normal[1], -normal[2]], offset: -low });
+  return planes;
+}

@@ -1,0 +1,307 @@
+// The three materials of the scene: cells, segments and points. One fragment ending serves them all: opaque, blended
+// (order-independent: weighted sums, McGuire and Bavoil 2013) or as an id for picking.
+import {
+  DoubleSide,
+  GLSL3,
+  type IUniform,
+  ShaderMaterial,
+  type Texture,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
+
+export const drawMode = { opaque: 0, blend: 1, pick: 2 } as const;
+
+/** Texels per row of the textures that hold a value per entity. */
+export const rowWidth = 1024;
+
+/** Uniforms that all materials share: set once per pass. */
+export const globals = {
+  drawMode: { value: 0 } as IUniform<number>,
+  viewport: { value: new Vector2(1, 1) },
+  pixelRatio: { value: 1 },
+  depth: { value: null as Texture | null },
+  /** Fragments with dot(clip.xyz, p) > clip.w are cut away; two planes make a slab. */
+  clips: { value: [new Vector4(0, 0, 0, 1), new Vector4(0, 0, 0, 1)] },
+  ink: { value: new Vector3(0.1, 0.12, 0.15) },
+  paper: { value: new Vector3(1, 1, 1) },
+  accent: { value: new Vector3(1, 0.6, 0) },
+};
+
+/** Uniforms of one layer. */
+export interface LayerUniforms {
+  colours: IUniform<Texture | null>;
+  centers: IUniform<Texture | null>;
+  opacity: IUniform<number>;
+  layer: IUniform<number>;
+  hover: IUniform<number>;
+  shrink: IUniform<number>;
+  explode: IUniform<number>;
+  origin: IUniform<Vector3>;
+  dimmed: IUniform<number>;
+  [name: string]: IUniform;
+}
+
+export const layerUniforms = (layer: number): LayerUniforms => ({
+  colours: { value: null },
+  centers: { value: null },
+  opacity: { value: 1 },
+  layer: { value: layer },
+  hover: { value: -1 },
+  shrink: { value: 1 },
+  explode: { value: 0 },
+  origin: { value: new Vector3() },
+  dimmed: { value: 0 },
+});
+
+const common = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform int drawMode;
+uniform vec2 viewport;
+uniform float pixelRatio;
+uniform vec3 ink;
+uniform vec3 paper;
+uniform vec3 accent;
+uniform float opacity;
+uniform int layer;
+uniform int hover;
+uniform float dimmed;
+`;
+
+const fetching = /* glsl */ `
+uniform highp sampler2D colours;
+ivec2 texelOf(int k) { return ivec2(k % ${rowWidth}, k / ${rowWidth}); }
+vec4 firstColour(int id) { return texelFetch(colours, texelOf(2 * id), 0); }
+vec4 secondColour(int id) { return texelFetch(colours, texelOf(2 * id + 1), 0); }
+`;
+
+const emission = /* glsl */ `
+uniform highp sampler2D depth;
+uniform vec4 clips[2];
+layout(location = 0) out vec4 target0;
+layout(location = 1) out vec4 target1;
+void cutAway(vec3 p) {
+  if (dot(clips[0].xyz, p) > clips[0].w || dot(clips[1].xyz, p) > clips[1].w) discard;
+}
+/** flag: 0 as it is, 1 counterpart of the selection, 2 selected. */
+vec3 emphasised(vec3 rgb, float flag, int id) {
+  if (flag > 1.5) rgb = mix(rgb, accent, .85);
+  else if (flag > .5) rgb = mix(rgb, accent, .4);
+  else rgb = mix(rgb, paper, .62 * dimmed);
+  return id == hover ? mix(rgb, accent, .5) : rgb;
+}
+void emit(vec3 rgb, int id) {
+  if (drawMode == ${drawMode.pick}) {
+    int code = id + 1;
+    target0 = vec4(float(layer) / 255., float(code / 65536) / 255., float((code / 256) % 256) / 255., float(code % 256) / 255.);
+  } else if (drawMode == ${drawMode.blend}) {
+    if (gl_FragCoord.z > texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r) discard;
+    float w = opacity * clamp(8. * pow(1. - gl_FragCoord.z * .9, 3.), .02, 20.);
+    target0 = vec4(rgb * w, w);
+    target1 = vec4(-log(max(1. - opacity, 1e-3)), 0., 0., 1.);
+  } else {
+    target0 = vec4(rgb, 1.);
+  }
+}
+`;
+
+const placing = /* glsl */ `
+uniform highp sampler2D centers;
+uniform float shrink;
+uniform float explode;
+uniform vec3 origin;
+vec3 placed(vec3 p, int id) {
+  vec3 c = texelFetch(centers, texelOf(id), 0).xyz;
+  return mix(c, p, shrink) + (c - origin) * explode;
+}
+`;
+
+const cellVertex = /* glsl */ `${common}${fetching}${placing}
+in float cell;
+out vec3 viewPoint;
+out vec3 worldPoint;
+flat out int id;
+flat out vec4 first;
+flat out vec4 second;
+void main() {
+  id = int(cell + .5);
+  first = firstColour(id);
+  second = secondColour(id);
+  worldPoint = placed(position, id);
+  vec4 v = modelViewMatrix * vec4(worldPoint, 1.);
+  viewPoint = v.xyz;
+  gl_Position = projectionMatrix * v;
+}
+`;
+
+const cellFragment = /* glsl */ `${common}
+uniform float lineTint;
+uniform float lit;
+uniform bool cap; // lies on a clipping plane, and stays
+in vec3 viewPoint;
+in vec3 worldPoint;
+flat in int id;
+flat in vec4 first;
+flat in vec4 second;
+${emission}
+void main() {
+  if (!cap) cutAway(worldPoint);
+  vec3 rgb = first.rgb;
+  if (second.a > .5 && lineTint == 0.) { // hatched: stripes across the screen
+    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10. * pixelRatio) / (10. * pixelRatio);
+    if (stripe < .42) rgb = second.rgb;
+  }
+  rgb = emphasised(rgb, floor(first.a * 255. + .5), id);
+  if (lineTint > 0.) rgb = mix(rgb, ink, lineTint);
+  else if (lit > 0.) {
+    vec3 n = normalize(cross(dFdx(viewPoint), dFdy(viewPoint)));
+    float towards = abs(n.z);
+    float side = .5 + .5 * dot(n.z < 0. ? -n : n, normalize(vec3(.45, .8, .4)));
+    rgb *= mix(1., .58 + .26 * towards + .22 * side, lit);
+  }
+  emit(min(rgb, vec3(1.)), id);
+}
+`;
+
+const segmentVertex = /* glsl */ `${common}${fetching}
+in vec3 from;
+in vec3 to;
+in float entity;
+uniform float width;
+uniform float bias;
+out vec2 along; // pixels from the first end, and across
+flat out float span;
+flat out int id;
+flat out vec4 first;
+flat out vec4 second;
+out vec3 worldPoint;
+void main() {
+  id = int(entity + .5);
+  first = firstColour(id);
+  second = secondColour(id);
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(from, 1.);
+  vec4 b = projectionMatrix * modelViewMatrix * vec4(to, 1.);
+  if (a.w < 1e-4 && b.w < 1e-4) { gl_Position = vec4(2., 2., 2., 1.); return; }
+  if (a.w < 1e-4) a = mix(b, a, (b.w - 1e-4) / (b.w - a.w));
+  if (b.w < 1e-4) b = mix(a, b, (a.w - 1e-4) / (a.w - b.w));
+  vec2 pa = a.xy / a.w * viewport * .5;
+  vec2 pb = b.xy / b.w * viewport * .5;
+  vec2 d = pb - pa;
+  span = length(d);
+  d = span > 1e-6 ? d / span : vec2(1., 0.);
+  float emphasis = floor(first.a * 255. + .5) > 0. || id == hover ? 1.5 : 1.;
+  float half_ = .5 * width * pixelRatio * emphasis;
+  vec4 p = position.x < .5 ? a : b;
+  vec2 offset = d * (position.x < .5 ? -half_ : half_) + vec2(-d.y, d.x) * position.y * half_;
+  along = vec2(position.x < .5 ? -half_ : span + half_, position.y * half_);
+  gl_Position = p;
+  gl_Position.xy += offset / (viewport * .5) * p.w;
+  gl_Position.z -= bias * p.w;
+  worldPoint = position.x < .5 ? from : to;
+}
+`;
+
+const segmentFragment = /* glsl */ `${common}
+in vec2 along;
+flat in float span;
+flat in int id;
+flat in vec4 first;
+flat in vec4 second;
+in vec3 worldPoint;
+uniform float width;
+${emission}
+void main() {
+  cutAway(worldPoint);
+  float emphasis = floor(first.a * 255. + .5) > 0. || id == hover ? 1.5 : 1.;
+  float half_ = .5 * width * pixelRatio * emphasis;
+  float past = max(max(-along.x, along.x - span), 0.);
+  if (past * past + along.y * along.y > half_ * half_ + .5) discard;
+  if (second.a > .5) { // dashed
+    float period = (4. * width) * pixelRatio;
+    if (mod(along.x, period) > .62 * period) discard;
+  }
+  emit(emphasised(first.rgb, floor(first.a * 255. + .5), id), id);
+}
+`;
+
+const pointVertex = /* glsl */ `${common}${fetching}
+in vec3 at;
+in float entity;
+uniform float size;
+uniform float bias;
+out vec2 corner;
+flat out int id;
+flat out vec4 first;
+out vec3 worldPoint;
+void main() {
+  id = int(entity + .5);
+  first = firstColour(id);
+  float emphasis = floor(first.a * 255. + .5) > 0. || id == hover ? 1.35 : 1.;
+  vec4 p = projectionMatrix * modelViewMatrix * vec4(at, 1.);
+  corner = position.xy;
+  gl_Position = p;
+  gl_Position.xy += corner * .5 * size * pixelRatio * emphasis / (viewport * .5) * p.w;
+  gl_Position.z -= bias * p.w;
+  worldPoint = at;
+}
+`;
+
+const pointFragment = /* glsl */ `${common}
+in vec2 corner;
+flat in int id;
+flat in vec4 first;
+in vec3 worldPoint;
+${emission}
+void main() {
+  cutAway(worldPoint);
+  float r = dot(corner, corner);
+  if (r > 1.) discard;
+  vec3 rgb = emphasised(first.rgb, floor(first.a * 255. + .5), id);
+  float z = sqrt(1. - r);
+  rgb *= .72 + .34 * max(0., dot(vec3(corner, z), normalize(vec3(-.35, .6, .75))));
+  if (r > .7) rgb = mix(rgb, ink, .85);
+  emit(min(rgb, vec3(1.)), id);
+}
+`;
+
+function material(
+  vertexShader: string,
+  fragmentShader: string,
+  uniforms: Record<string, IUniform>,
+): ShaderMaterial {
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms: { ...globals, ...uniforms },
+    side: DoubleSide,
+  });
+}
+
+export function cellMaterial(
+  uniforms: LayerUniforms,
+  { lines = false, lit = 1, cap = false } = {},
+): ShaderMaterial {
+  const made = material(cellVertex, cellFragment, {
+    ...uniforms,
+    lineTint: { value: lines ? 0.72 : 0 },
+    lit: { value: lit },
+    cap: { value: cap },
+  });
+  if (!lines) {
+    made.polygonOffset = true;
+    made.polygonOffsetFactor = 1;
+    made.polygonOffsetUnits = 1;
+  }
+  return made;
+}
+
+/** `width` in CSS pixels; `bias` pulls the lines in front of what they lie on. */
+export const segmentMaterial = (uniforms: LayerUniforms, width: number, bias: number): ShaderMaterial =>
+  material(segmentVertex, segmentFragment, { ...uniforms, width: { value: width }, bias: { value: bias } });
+
+/** `size`: diameter in CSS pixels. */
+export const pointMaterial = (uniforms: LayerUniforms, size: number, bias: number): ShaderMaterial =>
+  material(pointVertex, pointFragment, { ...uniforms, size: { value: size }, bias: { value: bias } });

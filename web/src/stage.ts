@@ -1,0 +1,185 @@
+// What stands between the stores and the viewer: the shown model's scene, its refinement, marks of problems, the
+// slice's handle, playing.
+import type { App } from './app.ts';
+import { dimensionOf, type Marks, marksInDomain, marksInModel, outlineOf } from './model/culprits.ts';
+import type { Model } from './model/model.ts';
+import { markLayers } from './scene/marks.ts';
+import { ModelScene } from './scene/model-scene.ts';
+import { type Theme, themes } from './scene/palette.ts';
+import type { SliceHandle } from './scene/slice-handle.ts';
+import { type Insets, Viewer } from './scene/viewer.ts';
+import type { Problem } from './state/ui-state.ts';
+import type { ViewState } from './state/view-state.ts';
+
+export class Stage {
+  readonly viewer: Viewer;
+  scene: ModelScene | null = null;
+  private readonly app: App;
+  private marks: ReturnType<typeof markLayers> | null = null;
+  private problem: Problem | null = null;
+  private handle: SliceHandle | null = null;
+  private handleWanted = false;
+  private refining = '';
+  private timer = 0;
+  /** Of the last frames, in ms. */
+  readonly frames: number[] = [];
+
+  constructor(canvas: HTMLCanvasElement, app: App) {
+    this.app = app;
+    this.viewer = new Viewer(canvas, {
+      moved: (camera) => app.view.set({ camera }, { merge: 'camera' }),
+      hovered: (entity, { x, y }) => {
+        this.viewer.highlight(entity);
+        app.setUi({ hover: entity ? { entity, x, y } : null });
+      },
+      clicked: (entity) => {
+        if (!this.handle?.active) app.view.set({ selection: entity });
+      },
+      drawn: (time) => {
+        this.frames.push(time);
+        if (this.frames.length > 240) this.frames.shift();
+      },
+    });
+  }
+
+  get theme(): Theme {
+    return themes[this.app.ui.state.dark ? 'dark' : 'light'];
+  }
+
+  setModel(model: Model): void {
+    this.scene?.dispose();
+    this.scene = new ModelScene(model, this.theme);
+    this.refining = '';
+    this.problem = null;
+    this.mark(marksInModel(model));
+    this.show();
+    this.refine();
+  }
+
+  update(now: ViewState, before: ViewState): void {
+    this.show();
+    if (now.step !== before.step || now.compare !== before.compare || now.refine !== before.refine)
+      this.refine();
+    if (now.slice !== before.slice) void this.placeHandle();
+  }
+
+  setTheme(): void {
+    this.scene?.setTheme(this.theme);
+    this.show();
+  }
+
+  setInsets(insets: Insets): void {
+    this.viewer.setInsets(insets);
+  }
+
+  /** Shows the culprits of a problem alone, or the model again. */
+  showProblem(problem: Problem | null): void {
+    if (problem === this.problem) return;
+    this.problem = problem;
+    if (problem?.given) {
+      const { given, entities } = problem;
+      this.mark(marksInDomain(given, entities), outlineOf(given, dimensionOf(given)));
+    } else if (this.scene) this.mark(marksInModel(this.scene.model));
+    this.show();
+  }
+
+  /** Plays the contributions of the step in the order of their insertion. */
+  play(on: boolean): void {
+    window.clearInterval(this.timer);
+    this.app.setUi({ playing: on });
+    if (!on) return;
+    let shown = this.scrubValue() ?? 0;
+    if (shown >= this.scrubCount()) shown = 0;
+    const began = performance.now();
+    const from = shown;
+    this.timer = window.setInterval(() => {
+      const { speed, playing } = this.app.ui.state;
+      const count = this.scrubCount();
+      const next = Math.min(count, from + Math.floor(((performance.now() - began) / 1000) * speed));
+      if (!playing || next >= count) {
+        this.scrub(null);
+        this.play(false);
+      } else if (next !== shown) {
+        shown = next;
+        this.scrub(next);
+      }
+    }, 40);
+  }
+
+  /** Shows the first `value` contributions of the step; null for all. */
+  scrub(value: number | null): void {
+    const { view } = this.app;
+    const key = this.scrubKey();
+    if (!key) return;
+    const count = this.scrubCount();
+    const kept = value === null || value >= count ? null : Math.max(0, value);
+    if (view.state.scrub[key] !== kept)
+      view.set({ scrub: { ...view.state.scrub, [key]: kept } }, { merge: 'scrub' });
+  }
+
+  scrubKey(): 'hard' | 'soft' | null {
+    const { step } = this.app.view.state;
+    return step === 3 ? 'hard' : step === 4 ? 'soft' : null;
+  }
+
+  scrubCount(): number {
+    const key = this.scrubKey();
+    if (!this.scene || !key) return 0;
+    const { contributions } = this.scene.model.result;
+    return key === 'hard' ? contributions.hardCount : contributions.softCount;
+  }
+
+  scrubValue(): number | null {
+    const key = this.scrubKey();
+    return key ? this.app.view.state.scrub[key] : null;
+  }
+
+  private show(): void {
+    const { state } = this.app.view;
+    const alone = this.problem?.given !== undefined;
+    this.viewer.show(alone ? null : this.scene, state, this.theme);
+    this.viewer.showMarks(this.marks, alone, state.step);
+  }
+
+  private mark(marks: Marks, outline: number[] = []): void {
+    this.marks?.dispose();
+    this.marks =
+      marks.lines.length + marks.points.length + outline.length > 0 ? markLayers(marks, outline) : null;
+  }
+
+  /** Asks for the refined mesh where a step shows it. */
+  private refine(): void {
+    const { state } = this.app.view;
+    const { scene } = this;
+    if (!scene || (state.step !== 9 && state.compare !== 9)) return;
+    const { result } = scene.model;
+    if (result.primal.quality.length === 0) return;
+    const key = `${this.app.ui.state.model} ${state.refine}`;
+    if (key === this.refining || this.app.ui.state.busy) return;
+    this.refining = key;
+    this.app.core
+      .refine(result.dimension, result.primal.positions, result.primal.blocks, state.refine)
+      .then((refined) => {
+        if (this.scene !== scene || key !== this.refining) return;
+        scene.setRefined({ intervals: state.refine, ...refined });
+        this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
+        this.show();
+      })
+      .catch(() => {
+        if (key === this.refining) this.refining = '';
+      });
+  }
+
+  private async placeHandle(): Promise<void> {
+    const { slice } = this.app.view.state;
+    this.handleWanted = slice !== null;
+    if (this.handleWanted && !this.handle) {
+      const { SliceHandle: Handle } = await import('./scene/slice-handle.ts');
+      this.handle ??= new Handle(this.viewer, (offset) => {
+        const { slice: now } = this.app.view.state;
+        if (now) this.app.view.set({ slice: { ...now, offset } }, { merge: 'slice' });
+      });
+    }
+    if (this.scene) this.handle?.place(this.app.view.state.slice, this.scene);
+  }
+}

@@ -1,0 +1,37 @@
+// Keeps the page for use without a connection. The build puts in the list of its files and a number for it.
+const version = '__VERSION__';
+const files = __FILES__;
+
+addEventListener('install', (event) => {
+  event.waitUntil(
+    caches
+      .open(version)
+      .then((cache) => cache.addAll(files))
+      .then(() => self.skipWaiting()),
+  );
+});
+
+addEventListener('activate', (event) => {
+  const drop = async () => {
+    const names = await caches.keys();
+    await Promise.all(
+      names.filter((n) => n.startsWith('dualblock ') && n !== version).map((n) => caches.delete(n)),
+    );
+    await self.clients.claim();
+  };
+  event.waitUntil(drop());
+});
+
+// The page itself comes from the network where there is one, so that a new version is seen; all else has its contents'
+// hash in its name, or belongs to the page's version.
+addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET' || new URL(request.url).origin !== location.origin) return;
+  const cached = () => caches.match(request, { ignoreSearch: true });
+  const answer = async () => {
+    if (request.mode === 'navigate')
+      return fetch(request).catch(async () => (await cached()) ?? caches.match('./'));
+    return (await cached()) ?? fetch(request);
+  };
+  event.respondWith(answer());
+});
