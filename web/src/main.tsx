@@ -4,7 +4,12 @@ import { runKey } from './actions.ts';
 import { App } from './app.ts';
 import { AppContext } from './panels/hooks.ts';
 import { Page } from './panels/page.tsx';
-import './style.css';
+import './styles/base.css';
+import './styles/controls.css';
+import './styles/panels.css';
+import './styles/rail.css';
+import './styles/overlays.css';
+import './styles/phone.css';
 
 const canvas = document.querySelector('canvas')!;
 const root = document.querySelector('#page')!;

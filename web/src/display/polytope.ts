@@ -123,7 +123,8 @@ function closing(facets: Facet[], width: number): number[] {
     return ends.length === 1 && begins.length === 1 ? [ends[0]!, begins[0]!] : [];
   }
   const sides = new Set<string>();
-  for (const { loop } of facets) loop.forEach((a, k) => sides.add(`${a} ${loop[(k + 1) % loop.length]}`));
+  for (const { loop } of facets)
+    for (let k = 0; k < loop.length; k++) sides.add(`${loop[k]} ${loop[(k + 1) % loop.length]}`);
   for (const { loop } of facets)
     loop.forEach((a, k) => {
       const b = loop[(k + 1) % loop.length]!;

@@ -30,19 +30,12 @@ function Dialog({ title, wide, children }: { title: string; wide: boolean; child
   const app = useApp();
   const ref = useRef<HTMLDialogElement>(null);
   useEffect(() => {
+    ref.current?.setAttribute('closedby', 'any');
     ref.current?.showModal();
   }, []);
   const close = (): void => app.setUi({ dialog: null });
   return (
-    <dialog
-      ref={ref}
-      class={wide ? 'wide' : ''}
-      aria-labelledby="dialog-title"
-      onClose={close}
-      onClick={(e) => {
-        if (e.target === ref.current) close();
-      }}
-    >
+    <dialog ref={ref} class={wide ? 'wide' : ''} aria-labelledby="dialog-title" onClose={close}>
       <div class="dialog-head">
         <h2 id="dialog-title">{title}</h2>
         <IconButton label="Close" onClick={close}>
@@ -241,7 +234,6 @@ function Paper() {
 function Commands() {
   const app = useApp();
   const [text, setText] = useState('');
-  const [at, setAt] = useState(0);
   const words = text.toLowerCase().split(/\s+/);
   const open = app.examples.map((e) => ({
     id: `open ${e.name}`,
@@ -252,56 +244,44 @@ function Commands() {
   const found = [...actions.filter((a) => a.id !== 'commands'), ...open].filter(({ label }) =>
     words.every((w) => label.toLowerCase().includes(w)),
   );
+  const list = useRef<HTMLUListElement>(null);
   const choose = (k: number): void => {
     const action = found[k];
     if (!action) return;
     app.setUi({ dialog: null });
     action.run(app);
   };
+  /** Up and down go through the list, as in a menu. */
+  const move = (event: KeyboardEvent): void => {
+    const by = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
+    if (!by || !list.current) return;
+    event.preventDefault();
+    const buttons = [...list.current.querySelectorAll('button')];
+    const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
+    buttons[Math.min(buttons.length - 1, Math.max(0, at + by))]?.focus();
+  };
   return (
-    <>
+    <search class="palette" onKeyDown={move}>
       <input
-        type="text"
-        list={undefined}
-        role="combobox"
+        type="search"
         aria-label="Command"
-        aria-expanded="true"
-        aria-controls="command-list"
-        aria-activedescendant={found[at] ? `command-${at}` : undefined}
         placeholder="Type what you want"
         value={text}
-        autoFocus
-        onInput={(e) => {
-          setText(e.currentTarget.value);
-          setAt(0);
-        }}
+        onInput={(e) => setText(e.currentTarget.value)}
         onKeyDown={(e) => {
-          if (e.key === 'ArrowDown' || e.key === 'ArrowUp') {
-            e.preventDefault();
-            const next = (at + (e.key === 'ArrowDown' ? 1 : -1) + found.length) % Math.max(1, found.length);
-            setAt(next);
-            document.getElementById(`command-${next}`)?.scrollIntoView({ block: 'nearest' });
-          } else if (e.key === 'Enter') choose(at);
+          if (e.key === 'Enter') choose(0);
         }}
       />
-      <ul class="commands" id="command-list" role="listbox" aria-label="Commands">
+      <ul class="commands" ref={list}>
         {found.map(({ id, label, keys }, k) => (
-          <li
-            key={id}
-            id={`command-${k}`}
-            role="option"
-            aria-selected={k === at}
-            tabIndex={-1}
-            onClick={() => choose(k)}
-            onKeyDown={(e) => {
-              if (e.key === 'Enter') choose(k);
-            }}
-          >
-            <span>{label}</span>
-            {keys && <kbd>{keys}</kbd>}
+          <li key={id}>
+            <button type="button" onClick={() => choose(k)}>
+              <span>{label}</span>
+              {keys && <kbd>{keys}</kbd>}
+            </button>
           </li>
         ))}
       </ul>
-    </>
+    </search>
   );
 }

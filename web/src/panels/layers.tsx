@@ -46,7 +46,7 @@ export function LayersPanel() {
       <p class="hint">Of step {step}. Each step keeps its own.</p>
       <ul class="layers">
         {available.map((id) => {
-          const { visible, opacity } = layerSetting(state, step, id);
+          const { visible, opacity } = layerSetting(state, step, id, dimension);
           const name = layerName(id, dimension);
           return (
             <li key={id} class={visible ? '' : 'off'}>

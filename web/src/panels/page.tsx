@@ -1,10 +1,9 @@
 // The page around the canvas.
-import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { entityName } from '../model/model.ts';
 import type { SheetTab } from '../state/ui-state.ts';
 import { steps } from '../state/view-state.ts';
 import { Icon, IconButton } from './controls.tsx';
-import { Dialogs } from './dialogs.tsx';
 import { Header } from './header.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 import { LeftPanel, leftTabs } from './left.tsx';
@@ -56,6 +55,16 @@ export function Page() {
       <Dropping />
     </div>
   );
+}
+
+/** The dialogs are loaded when the first one is asked for. */
+function Dialogs() {
+  const open = useUi((s) => s.dialog) !== null;
+  const [loaded, setLoaded] = useState<typeof import('./dialogs.tsx') | null>(null);
+  useEffect(() => {
+    if (open && !loaded) void import('./dialogs.tsx').then((module) => setLoaded(() => module));
+  }, [open, loaded]);
+  return loaded ? <loaded.Dialogs /> : null;
 }
 
 const sheetTabs: [SheetTab, string][] = [

@@ -16,10 +16,12 @@ export function Rail() {
       <Scrubber />
       <div class="rail-row">
         <ol>
-          {steps.map(({ id, name }) => (
+          {steps.map(({ id, name, short }) => (
             <li key={id}>
               <button
                 type="button"
+                title={name}
+                aria-label={`${id} ${name}`}
                 aria-current={id === step ? 'step' : undefined}
                 disabled={!known.includes(id)}
                 onClick={() => goTo(app, id)}
@@ -28,7 +30,7 @@ export function Rail() {
                 }}
               >
                 <b>{id}</b>
-                <span>{name}</span>
+                <span>{short}</span>
               </button>
             </li>
           ))}
@@ -73,7 +75,7 @@ function Scrubber() {
     stage.scrub(next);
   };
   return (
-    <div class="scrubber" role="group" aria-label="Order of insertion">
+    <fieldset class="scrubber" aria-label="Order of insertion">
       <IconButton label="None" onClick={() => set(0)}>
         <Icon name="first" />
       </IconButton>
@@ -116,6 +118,6 @@ function Scrubber() {
           </option>
         ))}
       </select>
-    </div>
+    </fieldset>
   );
 }

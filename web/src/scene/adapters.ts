@@ -54,8 +54,12 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
         order[c] = seen[soft]!++;
       });
       const layer = flat
-        ? new SegmentLayer(display.contributions.segments, 3.4, { kind: 'contribution', number, bias: 3e-4 })
-        : new CellLayer(display.contributions.polygons, { kind: 'contribution', number });
+        ? new SegmentLayer(display.contributions.segments, 3.4, { kind: 'contribution', number, bias: 0.008 })
+        : new CellLayer(display.contributions.polygons, {
+            kind: 'contribution',
+            number,
+            lineTint: id === 'surfaces' ? 0.25 : 0.5,
+          });
       return made(layer, id === 'surfaces' ? {} : { order });
     }
     case 'crossings':
@@ -70,7 +74,7 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
         : undefined;
     case 'edges':
       return display.nodes.length > 0
-        ? made(new SegmentLayer(primalEdges(model), 2.2, { kind: 'edge', number, bias: 1e-4 }))
+        ? made(new SegmentLayer(primalEdges(model), 2.2, { kind: 'edge', number, bias: 0.004 }))
         : undefined;
     case 'nodes':
       return display.nodes.length > 0
@@ -161,7 +165,8 @@ function paintOf(
 /** In 2D D̄-curves cross in points, in 3D D̄-surfaces in curves. */
 function crossingLayer({ display }: Model, number: number): Layer {
   const { crossings } = display.contributions;
-  if (display.dimension === 3) return new SegmentLayer(crossings, 3, { kind: 'surface', number, bias: 4e-4 });
+  if (display.dimension === 3)
+    return new SegmentLayer(crossings, 2.2, { kind: 'surface', number, bias: 0.01 });
   const points = new Float32Array(3 * crossings.entity.length);
   for (let k = 0; k < crossings.entity.length; k++)
     points.set(crossings.ends.subarray(6 * k, 6 * k + 3), 3 * k);

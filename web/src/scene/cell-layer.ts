@@ -22,6 +22,8 @@ export interface CellLayerOptions {
   outlines?: boolean;
   /** 0: colours as they are; 1: lit. */
   lit?: number;
+  /** How much darker outlines are than their cell: 0 to 1. */
+  lineTint?: number;
 }
 
 /** A plane { p : normal · p = offset }; what is in front of it is cut away. */
@@ -45,7 +47,7 @@ export class CellLayer implements Layer {
   private mask: Uint8Array | null = null;
 
   constructor(set: CellSet, options: CellLayerOptions) {
-    const { kind, number, faces = true, outlines = true, lit = 1 } = options;
+    const { kind, number, faces = true, outlines = true, lit = 1, lineTint = 0.72 } = options;
     this.set = set;
     this.kind = kind;
     this.count = set.count;
@@ -69,7 +71,7 @@ export class CellLayer implements Layer {
     if (outlines && set.lines.length > 0) {
       this.outlines = new LineSegments(
         indexed(position, cell, set.lines.length),
-        cellMaterial(this.uniforms, { lines: true }),
+        cellMaterial(this.uniforms, { lineTint }),
       );
       this.object.add(this.outlines);
     }
@@ -94,7 +96,7 @@ export class CellLayer implements Layer {
     this.mask = mask;
     for (let f = 0; f < exposed.length; f++) {
       const other = set.faceOther[f]!;
-      const visible = !mask || mask[set.faceCell[f]!] !== 0;
+      const visible = mask === null || mask[set.faceCell[f]!] !== 0;
       exposed[f] = visible && (gaps || other < 0 || (mask !== null && mask[other] === 0)) ? 1 : 0;
     }
     if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));

@@ -122,7 +122,7 @@ export class SegmentLayer extends InstancedLayer {
       ],
       entity,
       segmentCenters(set, options.count ?? 0),
-      (uniforms) => segmentMaterial(uniforms, width, options.bias ?? 2e-4),
+      (uniforms) => segmentMaterial(uniforms, width, options.bias ?? 0.006),
     );
     this.set = set;
   }
@@ -151,7 +151,7 @@ export class PointLayer extends InstancedLayer {
       [{ name: 'at', data: points, width: 3 }],
       Int32Array.from({ length: points.length / 3 }, (_, k) => k),
       points,
-      (uniforms) => pointMaterial(uniforms, size, options.bias ?? 4e-4),
+      (uniforms) => pointMaterial(uniforms, size, options.bias ?? 0.012),
     );
     this.points = points;
   }

@@ -82,7 +82,7 @@ export class ModelScene {
     this.isolate(state.isolated);
     const plane = state.slice ? placeSlice(state.slice, this.model.display.box) : null;
     for (const id of layerIds) {
-      const { visible, opacity } = layerSetting(state, step, id);
+      const { visible, opacity } = layerSetting(state, step, id, this.model.display.dimension);
       const entry = visible ? this.entry(id) : this.entries.get(id);
       if (!entry) continue;
       entry.layer.object.visible = visible;

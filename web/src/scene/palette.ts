@@ -1,5 +1,4 @@
 // Colours. All pairs that matter differ in lightness too, or in form: hatching, dashes, width.
-import { interpolateRdYlBu } from 'd3-scale-chromatic';
 import type { Rgb } from './layer.ts';
 
 const hex = (text: string): Rgb => [
@@ -76,11 +75,27 @@ function fromHsl(h: number, s: number, l: number): Rgb {
   return [f(0), f(8), f(4)];
 }
 
+/** C. Brewer's RdYlBu of eleven colours; diverging, and safe for red-green blindness. */
+const redYellowBlue = [
+  '#a50026',
+  '#d73027',
+  '#f46d43',
+  '#fdae61',
+  '#fee090',
+  '#ffffbf',
+  '#e0f3f8',
+  '#abd9e9',
+  '#74add1',
+  '#4575b4',
+  '#313695',
+].map(hex);
+
 /** A scaled Jacobian from 0 (red) over yellow to 1 (blue); dark red at and below 0. */
 export function qualityColour(q: number): Rgb {
   if (q <= 0) return hex('#7a0b1e');
-  const parsed = /rgb\((\d+), (\d+), (\d+)\)/.exec(interpolateRdYlBu(0.08 + 0.8 * q));
-  return parsed ? [Number(parsed[1]), Number(parsed[2]), Number(parsed[3])] : hex('#000000');
+  const t = 10 * (0.08 + 0.8 * Math.min(1, q));
+  const k = Math.floor(t);
+  return mix(redYellowBlue[k]!, redYellowBlue[k + 1]!, t - k);
 }
 
 export const cssColour = ([r, g, b]: Rgb): string => `rgb(${r} ${g} ${b})`;

@@ -17,16 +17,15 @@ const side = 2 * reach + 1;
 
 export class Picker {
   private readonly target = new WebGLRenderTarget(side, side, { format: RGBAFormat, type: UnsignedByteType });
-  private readonly pixels = new Uint8Array(4 * side * side);
 
   /** `camera` has the view's offset set already; x, y in CSS pixels from the view's upper left corner. */
-  pick(
+  async pick(
     renderer: WebGLRenderer,
     scene: Scene,
     camera: PerspectiveCamera | OrthographicCamera,
     model: ModelScene,
     { x, y, width, height }: { x: number; y: number; width: number; height: number },
-  ): Entity | null {
+  ): Promise<Entity | null> {
     const { offsetX, offsetY } = camera.view ?? { offsetX: 0, offsetY: 0 };
     camera.setViewOffset(width, height, offsetX + x - side / 2, offsetY + y - side / 2, side, side);
     const pickable = new Set<object>();
@@ -42,25 +41,26 @@ export class Picker {
     renderer.setClearColor(0, 0);
     renderer.clear();
     renderer.render(scene, camera);
-    renderer.readRenderTargetPixels(this.target, 0, 0, side, side, this.pixels);
     renderer.setRenderTarget(null);
     globals.drawMode.value = drawMode.opaque;
     for (const object of hidden) object.visible = true;
-    return this.nearest(model);
+    const pixels = new Uint8Array(4 * side * side);
+    await renderer.readRenderTargetPixelsAsync(this.target, 0, 0, side, side, pixels);
+    return nearest(model, pixels);
   }
+}
 
-  private nearest(model: ModelScene): Entity | null {
-    let best: Entity | null = null;
-    let least = Number.POSITIVE_INFINITY;
-    for (let k = 0; k < side * side; k++) {
-      const [number, a, b, c] = this.pixels.subarray(4 * k, 4 * k + 4);
-      const layer = number ? model.layerOf(number) : undefined;
-      if (!layer) continue;
-      const distance = Math.hypot((k % side) - reach, Math.floor(k / side) - reach);
-      if (distance >= least) continue;
-      least = distance;
-      best = { kind: layer.kind, id: a! * 65536 + b! * 256 + c! - 1 };
-    }
-    return best;
+function nearest(model: ModelScene, pixels: Uint8Array): Entity | null {
+  let best: Entity | null = null;
+  let least = Number.POSITIVE_INFINITY;
+  for (let k = 0; k < side * side; k++) {
+    const [number, a, b, c] = pixels.subarray(4 * k, 4 * k + 4);
+    const layer = number ? model.layerOf(number) : undefined;
+    if (!layer) continue;
+    const distance = Math.hypot((k % side) - reach, Math.floor(k / side) - reach);
+    if (distance >= least) continue;
+    least = distance;
+    best = { kind: layer.kind, id: a! * 65536 + b! * 256 + c! - 1 };
   }
+  return best;
 }

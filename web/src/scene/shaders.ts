@@ -27,6 +27,8 @@ export const globals = {
   ink: { value: new Vector3(0.1, 0.12, 0.15) },
   paper: { value: new Vector3(1, 1, 1) },
   accent: { value: new Vector3(1, 0.6, 0) },
+  /** Radius of what is shown: biases in depth are shares of it. */
+  reach: { value: 1 },
 };
 
 /** Uniforms of one layer. */
@@ -64,6 +66,7 @@ uniform float pixelRatio;
 uniform vec3 ink;
 uniform vec3 paper;
 uniform vec3 accent;
+uniform float reach;
 uniform float opacity;
 uniform int layer;
 uniform int hover;
@@ -89,7 +92,7 @@ void cutAway(vec3 p) {
 vec3 emphasised(vec3 rgb, float flag, int id) {
   if (flag > 1.5) rgb = mix(rgb, accent, .85);
   else if (flag > .5) rgb = mix(rgb, accent, .4);
-  else rgb = mix(rgb, paper, .62 * dimmed);
+  else rgb = mix(rgb, paper, .55 * dimmed);
   return id == hover ? mix(rgb, accent, .5) : rgb;
 }
 void emit(vec3 rgb, int id) {
@@ -115,6 +118,17 @@ uniform vec3 origin;
 vec3 placed(vec3 p, int id) {
   vec3 c = texelFetch(centers, texelOf(id), 0).xyz;
   return mix(c, p, shrink) + (c - origin) * explode;
+}
+`;
+
+/** Depth of a point moved a little towards the eye; where it is on the screen does not change. */
+const biasing = /* glsl */ `
+uniform float bias;
+float biasedDepth(vec3 p, float w) {
+  vec4 v = modelViewMatrix * vec4(p, 1.);
+  v.z += bias * reach;
+  vec4 c = projectionMatrix * v;
+  return c.z / max(c.w, 1e-6) * w;
 }
 `;
 
@@ -159,18 +173,18 @@ void main() {
     vec3 n = normalize(cross(dFdx(viewPoint), dFdy(viewPoint)));
     float towards = abs(n.z);
     float side = .5 + .5 * dot(n.z < 0. ? -n : n, normalize(vec3(.45, .8, .4)));
-    rgb *= mix(1., .58 + .26 * towards + .22 * side, lit);
+    rgb *= mix(1., .62 + .26 * towards + .2 * side, lit);
   }
   emit(min(rgb, vec3(1.)), id);
 }
 `;
 
 const segmentVertex = /* glsl */ `${common}${fetching}
+${biasing}
 in vec3 from;
 in vec3 to;
 in float entity;
 uniform float width;
-uniform float bias;
 out vec2 along; // pixels from the first end, and across
 flat out float span;
 flat out int id;
@@ -198,8 +212,8 @@ void main() {
   along = vec2(position.x < .5 ? -half_ : span + half_, position.y * half_);
   gl_Position = p;
   gl_Position.xy += offset / (viewport * .5) * p.w;
-  gl_Position.z -= bias * p.w;
   worldPoint = position.x < .5 ? from : to;
+  if (a.w > 1e-4 && b.w > 1e-4) gl_Position.z = biasedDepth(worldPoint, p.w);
 }
 `;
 
@@ -227,10 +241,10 @@ void main() {
 `;
 
 const pointVertex = /* glsl */ `${common}${fetching}
+${biasing}
 in vec3 at;
 in float entity;
 uniform float size;
-uniform float bias;
 out vec2 corner;
 flat out int id;
 flat out vec4 first;
@@ -243,7 +257,7 @@ void main() {
   corner = position.xy;
   gl_Position = p;
   gl_Position.xy += corner * .5 * size * pixelRatio * emphasis / (viewport * .5) * p.w;
-  gl_Position.z -= bias * p.w;
+  gl_Position.z = biasedDepth(at, p.w);
   worldPoint = at;
 }
 `;
@@ -282,15 +296,15 @@ function material(
 
 export function cellMaterial(
   uniforms: LayerUniforms,
-  { lines = false, lit = 1, cap = false } = {},
+  { lineTint = 0, lit = 1, cap = false } = {},
 ): ShaderMaterial {
   const made = material(cellVertex, cellFragment, {
     ...uniforms,
-    lineTint: { value: lines ? 0.72 : 0 },
+    lineTint: { value: lineTint },
     lit: { value: lit },
     cap: { value: cap },
   });
-  if (!lines) {
+  if (lineTint === 0) {
     made.polygonOffset = true;
     made.polygonOffsetFactor = 1;
     made.polygonOffsetUnits = 1;

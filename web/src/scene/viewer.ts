@@ -195,7 +195,7 @@ export class Viewer {
   }
 
   /** The entity at a point of the canvas, in CSS pixels from its upper left corner. */
-  pick(x: number, y: number): Entity | null {
+  async pick(x: number, y: number): Promise<Entity | null> {
     const { model, state } = this;
     if (!model || !state) return null;
     const view = this.views(state).find(
@@ -340,6 +340,17 @@ export class Viewer {
       camera.right = (half * width) / height;
       camera.left = -camera.right;
     }
+    // As much depth as exploded cells need, no more: the nearer the planes, the finer the depth.
+    const { radius } = this.bounds();
+    const distance = camera.position.distanceTo(this.controls.target);
+    const room =
+      radius * (2.2 + 2 * (this.state?.explode ?? 0.4)) +
+      camera.position.distanceTo(this.bounds().center) -
+      distance;
+    camera.far = distance + room;
+    camera.near =
+      camera instanceof PerspectiveCamera ? Math.max(radius / 200, distance - room) : distance - room;
+    globals.reach.value = radius;
     camera.setViewOffset(width, height, (innerRight - innerLeft) / 2, (bottom - top) / 2, width, height);
   }
 
@@ -374,8 +385,6 @@ export class Viewer {
     wanted.position.fromArray(position);
     wanted.zoom = zoom;
     this.controls.target.fromArray(target);
-    wanted.far = 60 * radius;
-    wanted.near = wanted === this.orthographic ? -wanted.far : radius / 100;
     this.controls.minDistance = radius / 50;
     this.controls.maxDistance = 40 * radius;
     this.controls.update();
@@ -442,7 +451,7 @@ export class Viewer {
         this.turn();
         return;
       }
-      this.events.clicked(this.pick(x, y), event);
+      void this.pick(x, y).then((entity) => this.events.clicked(entity, event));
     });
     canvas.addEventListener('pointermove', (event) => {
       if (event.pointerType === 'touch' || down || event.buttons) return;
@@ -452,7 +461,9 @@ export class Viewer {
           pending = null;
           if (!last) return;
           const at = place(last);
-          this.events.hovered(this.pick(at.x, at.y), at);
+          void this.pick(at.x, at.y).then((entity) => {
+            if (!pending) this.events.hovered(entity, at);
+          });
         });
       pending = event;
     });

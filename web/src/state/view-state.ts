@@ -1,15 +1,15 @@
 // What is seen, as one plain value: everything that undo, links, state files and PNGs restore.
 
 export const steps = [
-  { id: 1, name: 'Domain' },
-  { id: 2, name: 'Reference mesh' },
-  { id: 3, name: 'Hard contributions' },
-  { id: 4, name: 'Soft contributions' },
-  { id: 5, name: 'D̄-surfaces' },
-  { id: 6, name: 'D̄-cells' },
-  { id: 7, name: 'Nodes and edges' },
-  { id: 8, name: 'Blocks' },
-  { id: 9, name: 'Refined mesh' },
+  { id: 1, name: 'Domain', short: 'Domain' },
+  { id: 2, name: 'Reference mesh', short: 'Reference' },
+  { id: 3, name: 'Hard contributions', short: 'Hard' },
+  { id: 4, name: 'Soft contributions', short: 'Soft' },
+  { id: 5, name: 'D̄-surfaces', short: 'D̄-surfaces' },
+  { id: 6, name: 'D̄-cells', short: 'D̄-cells' },
+  { id: 7, name: 'Nodes and edges', short: 'Nodes' },
+  { id: 8, name: 'Blocks', short: 'Blocks' },
+  { id: 9, name: 'Refined mesh', short: 'Refined' },
 ] as const;
 export type Step = (typeof steps)[number]['id'];
 
@@ -153,9 +153,15 @@ const stepExplode: Partial<Record<Step, number>> = { 6: 0.22 };
 export const shrinkOf = (state: ViewState, step: Step): number => state.shrink ?? stepShrink[step] ?? 1;
 export const explodeOf = (state: ViewState, step: Step): number => state.explode ?? stepExplode[step] ?? 0;
 
+/** In 2D nothing hides what is behind it. */
+const flatLayers: Partial<Record<Step, Partial<Record<LayerId, number>>>> = {
+  4: { wire: 0.7, curves: 1, hard: 1, soft: 1 },
+  5: { wire: 0.4, curves: 1, surfaces: 1, crossings: 1 },
+};
+
 /** A layer as the state shows it in a step. */
-export function layerSetting(state: ViewState, step: Step, layer: LayerId): LayerSetting {
-  const own = stepLayers[step][layer];
+export function layerSetting(state: ViewState, step: Step, layer: LayerId, dimension: 2 | 3): LayerSetting {
+  const own = ((dimension === 2 && flatLayers[step]) || stepLayers[step])[layer];
   const changed = state.layers[step]?.[layer];
   const solo = state.solo[step];
   return {
