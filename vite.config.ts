@@ -18,6 +18,18 @@ export default defineConfig({
     reporters: ['default', ['json', { outputFile: '../build/vitest.json' }]],
     projects: [
       { extends: true, test: { name: 'node', environment: 'node', include: ['node/**/*.test.ts'] } },
+      // The built page in Chromium, as its users have it. One file at a time: they share two processors with it.
+      {
+        extends: true,
+        test: {
+          name: 'page',
+          environment: 'node',
+          include: ['page/**/*.test.ts'],
+          fileParallelism: false,
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+        },
+      },
       {
         extends: true,
         test: {

@@ -4,6 +4,7 @@ import { Dualblock } from '../../wasm/dualblock.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
 import { writeJson } from '../../wasm/io/write-json.ts';
 import { CoreClient } from '../../web/src/core/core-client.ts';
+import { packResult } from '../../web/src/core/pack.ts';
 
 let client = new CoreClient();
 let ring: Uint8Array;
@@ -40,7 +41,7 @@ describe('in a module worker', () => {
     expect(result.primal.positions.byteLength).toBe(144 * 3 * 8);
     expect(memory).toBeGreaterThan(2 ** 20);
     expect(seen[0]).toEqual(['domain', 0]);
-    expect(seen.at(-1)?.[0]).toBe('certificate');
+    expect(seen.slice(-2).map(([stage]) => stage)).toEqual(['certificate', 'display']);
     expect(seen.length).toBeGreaterThan(5);
   });
 
@@ -66,6 +67,40 @@ describe('in a module worker', () => {
     await expect(client.run('a.step', off)).rejects.toMatchObject({ code: 'formatUnknown' });
     await expect(client.run('ring.json', ring, { seed: -1 })).rejects.toMatchObject({ code: 'badOption' });
     expect((await client.run('ring.json', ring)).result.primal.quality).toHaveLength(64);
+  });
+
+  it('packs what is drawn, and moves it instead of copying', async () => {
+    const { result, display } = await client.run('ring.json', ring);
+    expect(display.blocks.count).toBe(64);
+    expect(display.dual.cells.count).toBe(144);
+    expect(display.contributions.count).toBe(result.contributions.hardCount + result.contributions.softCount);
+    expect(display.blocks.points.buffer.byteLength).toBe(64 * 8 * 3 * 4);
+  });
+
+  it('refines blocks, and unpacks what was packed', async () => {
+    const { result } = await client.run('ring.json', ring);
+    const { positions, blocks } = result.primal;
+    const refined = await client.refine(3, positions, blocks, 2);
+    expect(refined.cells.count).toBe(64 * 8);
+    expect(positions.length).toBe(144 * 3); // the page keeps its own
+    const again = await client.unpack(await packResult(result));
+    expect(writeJson(again.result)).toBe(writeJson(result));
+  });
+
+  it('says what is wrong with a packed result', async () => {
+    await expect(client.unpack(new Uint8Array([1, 2, 3]))).rejects.toMatchObject({ code: 'internal' });
+    expect((await client.run('ring.json', ring)).result.certificate.valid).toBe(true);
+  });
+
+  it('brings the domain along when it is at fault', async () => {
+    const bent = 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 2 3\n'.replace(
+      '3 0 2 3',
+      '3 0 2 1',
+    );
+    const error = await client.run('a.off', new TextEncoder().encode(bent)).catch((e: unknown) => e);
+    expect(error).toBeInstanceOf(DualblockError);
+    expect((error as DualblockError).given?.vertices).toHaveLength(12);
+    expect((error as DualblockError).given?.facetOffsets).toHaveLength(5);
   });
 
   it('is cancelled at once, and the next run works', async () => {

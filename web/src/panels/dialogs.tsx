@@ -20,22 +20,26 @@ export function Dialogs() {
   if (!dialog) return null;
   const [title, content] = contents[dialog];
   return (
-    <Dialog title={title} key={dialog} wide={dialog === 'paper' || dialog === 'help'}>
+    <Dialog name={dialog} title={title} key={dialog} wide={dialog === 'paper' || dialog === 'help'}>
       {content()}
     </Dialog>
   );
 }
 
-function Dialog({ title, wide, children }: { title: string; wide: boolean; children: ComponentChildren }) {
+function Dialog(props: { name: DialogName; title: string; wide: boolean; children: ComponentChildren }) {
+  const { name, title, wide, children } = props;
   const app = useApp();
   const ref = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     ref.current?.setAttribute('closedby', 'any');
     ref.current?.showModal();
+    ref.current?.querySelector<HTMLElement>('[data-focus]')?.focus();
   }, []);
-  const close = (): void => app.setUi({ dialog: null });
+  const close = (): void => {
+    if (app.ui.state.dialog === name) app.setUi({ dialog: null }); // another one may be open by now
+  };
   return (
-    <dialog ref={ref} class={wide ? 'wide' : ''} aria-labelledby="dialog-title" onClose={close}>
+    <dialog ref={ref} class={wide ? 'broad' : ''} aria-labelledby="dialog-title" onClose={close}>
       <div class="dialog-head">
         <h2 id="dialog-title">{title}</h2>
         <IconButton label="Close" onClick={close}>
@@ -264,6 +268,7 @@ function Commands() {
     <search class="palette" onKeyDown={move}>
       <input
         type="search"
+        data-focus
         aria-label="Command"
         placeholder="Type what you want"
         value={text}

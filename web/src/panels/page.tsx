@@ -19,7 +19,8 @@ export function Page() {
   const sheet = useUi((s) => s.sheet);
   useLayoutEffect(() => {
     const measure = (): void => {
-      const low = bottom.current?.getBoundingClientRect();
+      // Without the scrubber, which comes and goes with the steps: the camera must not move between them.
+      const low = bottom.current?.querySelector('.rail-row')?.getBoundingClientRect();
       const panel = (name: string): number =>
         document.querySelector(name)?.getBoundingClientRect().width ?? 0;
       app.stage.setInsets({

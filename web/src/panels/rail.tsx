@@ -21,7 +21,6 @@ export function Rail() {
               <button
                 type="button"
                 title={name}
-                aria-label={`${id} ${name}`}
                 aria-current={id === step ? 'step' : undefined}
                 disabled={!known.includes(id)}
                 onClick={() => goTo(app, id)}
@@ -30,7 +29,10 @@ export function Rail() {
                 }}
               >
                 <b>{id}</b>
-                <span>{short}</span>
+                <span>
+                  {short}
+                  <span class="unseen">{name.slice(short.length)}</span>
+                </span>
               </button>
             </li>
           ))}

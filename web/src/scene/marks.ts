@@ -28,9 +28,9 @@ export function markLayers({ lines, points }: Marks, outline: number[]): MarkLay
   });
   if (outline.length > 0) add(new SegmentLayer(segments(outline), 1.6, { kind: 'facet', number: 250 }), grey);
   if (lines.length > 0)
-    add(new SegmentLayer(segments(lines), 4.5, { kind: 'facet', number: 251, bias: 0.02 }), magenta);
+    add(new SegmentLayer(segments(lines), 3.2, { kind: 'facet', number: 251, bias: 0.02 }), magenta);
   if (points.length > 0)
-    add(new PointLayer(Float32Array.from(points), 18, { kind: 'vertex', number: 252, bias: 0.03 }), magenta);
+    add(new PointLayer(Float32Array.from(points), 15, { kind: 'vertex', number: 252, bias: 0.03 }), magenta);
   const box = new Box3();
   const all = [...outline, ...lines, ...points];
   for (let k = 0; k < all.length; k += 3) box.expandByPoint(new Vector3(all[k], all[k + 1], all[k + 2]));

@@ -1,0 +1,300 @@
+// Keyboard, screen reader, touch, small screens, wishes of the system; what is loaded and from where; offline.
+
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import {
+  canvasShot,
+  chooseFile,
+  desktop,
+  expectNoProblems,
+  openExample,
+  phone,
+  ready,
+  settle,
+  setView,
+  usePage,
+  viewOf,
+} from './support/page.ts';
+import { colours, difference } from './support/pictures.ts';
+
+const host = usePage();
+const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+interface Finding {
+  id: string;
+  impact: string | null;
+  nodes: { html: string; failureSummary: string }[];
+}
+
+/** What axe finds that is serious or critical. The page's policy lets no foreign script in: axe runs past it. */
+async function serious(page: Page): Promise<string[]> {
+  await page.evaluate(readFileSync(axePath, 'utf8'));
+  const violations = await page.evaluate(async () => {
+    const { axe } = globalThis as unknown as { axe: { run: () => Promise<{ violations: Finding[] }> } };
+    return (await axe.run()).violations;
+  });
+  return violations
+    .filter((v) => v.impact === 'serious' || v.impact === 'critical')
+    .map((v) => `${v.id}: ${v.nodes.map((n) => `${n.html} ${n.failureSummary}`).join(' | ')}`);
+}
+
+describe('by keyboard alone', () => {
+  it('the whole tour', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    const press = async (...keys: string[]): Promise<void> => {
+      for (const key of keys) await page.keyboard.press(key);
+      await settle(page);
+    };
+    const focused = (): Promise<string> =>
+      page.evaluate(
+        () => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent ?? '',
+      );
+    const tabTo = async (wanted: RegExp): Promise<void> => {
+      for (let k = 0; k < 120; k++) {
+        await page.keyboard.press('Tab');
+        if (wanted.test(await focused())) return;
+      }
+      throw new Error(`Tab does not lead to ${wanted}`);
+    };
+    // Steps.
+    await press('1');
+    for (let step = 2; step <= 9; step++) {
+      await press('ArrowRight');
+      expect((await viewOf(page)).step).toBe(step);
+      expect(await page.textContent('#status')).toContain(`Step ${step}`);
+    }
+    await press('ArrowLeft', '3');
+    // Contributions one by one.
+    await tabTo(/^One less$/);
+    await press('Enter', 'Enter');
+    expect((await viewOf(page)).scrub.hard).toBe(505);
+    await press('8');
+    // Another model from the gallery.
+    await tabTo(/^Model$/);
+    await tabTo(/Slab with a protrusion/);
+    await press('Enter');
+    expect((await viewOf(page)).model).toMatchObject({ name: 'protrusion' });
+    // Tabs of the left panel by arrows.
+    await page.focus('#tab-model');
+    await press('ArrowRight', 'ArrowRight');
+    expect(await page.getAttribute('#tab-filters', 'aria-selected')).toBe('true');
+    // Slice, peel, explode.
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await press('s', 'p', 'e');
+    expect(await viewOf(page)).toMatchObject({ slice: { capped: false }, peel: 1, explode: 0.35 });
+    await press('Shift+P', 's', 'e');
+    expect(await viewOf(page)).toMatchObject({ slice: null, peel: 0, explode: 0 });
+    // An entity by the list, which mirrors the scene; then isolated, hidden, shown.
+    await page.focus('.entities select');
+    await press('ArrowDown', 'ArrowDown');
+    const { selection } = await viewOf(page);
+    expect(selection).toEqual({ kind: 'block', id: 1 });
+    expect(await page.textContent('#status')).toBe('Block 1 selected.');
+    await page.keyboard.press('Tab');
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await press('i');
+    expect((await viewOf(page)).isolated).toEqual(selection);
+    await press('i', 'h');
+    expect((await viewOf(page)).hidden).toEqual([selection]);
+    await press('a', 'f', '0');
+    expect(await viewOf(page)).toMatchObject({ hidden: [], camera: null });
+    await press('?');
+    expect(await page.isVisible('dialog')).toBe(true);
+    await press('Escape');
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('leaves keys to what has the focus', async () => {
+    const { page } = await host.open();
+    await page.focus('.entities select');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('3');
+    expect((await viewOf(page)).step).toBe(8);
+    await page.click('#tab-filters');
+    await page.focus('input[type=range]');
+    await page.keyboard.press('ArrowRight');
+    expect((await viewOf(page)).step).toBe(8);
+    await page.close();
+  });
+});
+
+describe('axe', () => {
+  const views = (['light', 'dark'] as const).flatMap((scheme) => [
+    [`desktop, ${scheme}`, { viewport: desktop, colorScheme: scheme }] as const,
+    [`phone, ${scheme}`, { viewport: phone, colorScheme: scheme, hasTouch: true }] as const,
+  ]);
+
+  it.each(views)('%s: nothing serious', async (_, context) => {
+    const { page } = await host.open(context);
+    const small = context.viewport === phone;
+    expect(await serious(page)).toEqual([]);
+    if (small)
+      for (const tab of ['Explain', 'Selection', 'Model', 'Layers', 'Filters', 'Look']) {
+        await page.click(`.sheet-tabs >> text=${tab}`);
+        expect(await serious(page)).toEqual([]);
+      }
+    else
+      for (const tab of ['layers', 'filters', 'look']) {
+        await page.click(`#tab-${tab}`);
+        if (tab === 'filters') await page.keyboard.press('s');
+        expect(await serious(page)).toEqual([]);
+      }
+    for (const step of [1, 3, 7]) {
+      await setView(page, { step, selection: { kind: 'block', id: 1 } } as never);
+      expect(await serious(page)).toEqual([]);
+    }
+    for (const dialog of ['help', 'share', 'export', 'paper', 'commands'] as const) {
+      await page.evaluate((d) => dualblock.setUi({ dialog: d }), dialog);
+      await page.waitForSelector('dialog[open]');
+      expect(await serious(page)).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
+    await chooseFile(page, 'bad.off', 'OFF\n3 1\n0 0');
+    await page.waitForSelector('#error');
+    expect(await serious(page)).toEqual([]);
+    await page.close();
+  });
+});
+
+describe('a phone', () => {
+  it('has canvas, rail and one sheet, nothing cut off, and works by touch', async () => {
+    const opened = await host.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+    const { page } = opened;
+    expect(await page.isVisible('.panel')).toBe(false);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(phone.width);
+    const outside = (): Promise<string[]> =>
+      page.evaluate(() =>
+        [...document.querySelectorAll('.bar *, .sheet-tabs *, .sheet .content *')]
+          .filter((el) => el.getBoundingClientRect().right > innerWidth + 1 && !el.closest('.unseen'))
+          .map((el) => el.outerHTML.slice(0, 80)),
+      );
+    expect(await outside()).toEqual([]);
+    for (const tab of ['Explain', 'Selection', 'Model', 'Layers', 'Filters', 'Look']) {
+      await page.tap(`.sheet-tabs >> text=${tab}`);
+      expect(await outside()).toEqual([]);
+    }
+    await page.tap('.sheet-tabs >> text=Look');
+    await page.tap('.rail >> text=D̄-cells');
+    await settle(page);
+    expect((await viewOf(page)).step).toBe(6);
+    await page.touchscreen.tap(200, 330);
+    await page.waitForFunction(() => dualblock.view.state.selection !== null);
+    expect((await viewOf(page)).selection?.kind).toBe('cell');
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
+describe('wishes of the system', () => {
+  it('dark and light are followed until one is chosen', async () => {
+    const { page } = await host.open({ colorScheme: 'dark' });
+    const theme = (): Promise<string | undefined> =>
+      page.evaluate(() => document.documentElement.dataset['theme']);
+    expect(await theme()).toBe('dark');
+    await page.emulateMedia({ colorScheme: 'light' });
+    await page.waitForFunction(() => document.documentElement.dataset['theme'] === 'light');
+    await page.keyboard.press('t');
+    expect(await theme()).toBe('dark');
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await page.emulateMedia({ colorScheme: 'light' });
+    await settle(page);
+    expect(await theme()).toBe('dark');
+    await page.close();
+  });
+
+  it('reduced motion: nothing fades or turns by itself', async () => {
+    const { page } = await host.open({ reducedMotion: 'reduce' });
+    expect(
+      await page.evaluate(() => getComputedStyle(document.querySelector('#status')!).transitionDuration),
+    ).toBe('0s');
+    await page.close();
+  });
+});
+
+describe('what is loaded', () => {
+  it('stays within the budget, comes from the page’s own folder, and passes the policy', async () => {
+    const opened = await host.open();
+    const { page, requests } = opened;
+    await page.waitForFunction(() => !dualblock.core.busy);
+    await page.evaluate(() => dualblock.openExample('house')); // the core is there now
+    const sizes: Record<string, number> = {};
+    for (const url of new Set(requests)) {
+      const path = url.slice(host.url.length) || 'index.html';
+      if (path.startsWith('examples/house')) continue;
+      sizes[path] = gzipSync(readFileSync(new URL(`../../dist/${path}`, import.meta.url)), {
+        level: 9,
+      }).length;
+    }
+    const total = (pattern: RegExp): number =>
+      Object.entries(sizes).reduce((sum, [path, size]) => sum + (pattern.test(path) ? size : 0), 0);
+    console.log(`first load, gzip: JS ${total(/\.js$/)}, WASM ${total(/\.wasm$/)}, all ${total(/./)}`);
+    expect(total(/\.js$/)).toBeLessThanOrEqual(220_000);
+    expect(total(/\.wasm$/)).toBeGreaterThan(0);
+    expect(total(/\.wasm$/)).toBeLessThanOrEqual(350_000);
+    expect(total(/./)).toBeLessThanOrEqual(650_000);
+    const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content');
+    expect(policy).toContain("default-src 'none'");
+    expect(policy).not.toContain('unsafe-inline');
+    expect(policy).not.toMatch(/'unsafe-eval'/);
+    expect(await page.evaluate(() => crossOriginIsolated)).toBe(false);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('holds the licence and the source', async () => {
+    const { page } = await host.open();
+    for (const path of ['LICENSE.txt', 'source.tar.gz'])
+      expect((await page.request.get(`${host.url}${path}`)).status()).toBe(200);
+    await page.keyboard.press('?');
+    expect(await page.textContent('dialog')).toContain('AGPL');
+    await page.close();
+  });
+});
+
+describe('without a connection', () => {
+  it('the page works after the first load', async () => {
+    const context = await host.browser.newContext({ viewport: desktop });
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on('pageerror', (error) => errors.push(error.message));
+    await page.goto(host.url);
+    await ready(page);
+    await page.evaluate(async () => {
+      await navigator.serviceWorker.ready;
+      while (!navigator.serviceWorker.controller) await new Promise((resolve) => setTimeout(resolve, 20));
+    });
+    await context.setOffline(true);
+    await page.reload();
+    await ready(page);
+    await openExample(page, 'notched_cube');
+    expect(await page.textContent('#verdict')).toBe('Valid');
+    await page.keyboard.press('x');
+    await page.waitForSelector('[data-export=gltf]');
+    await page.keyboard.press('Escape');
+    await setView(page, { step: 6 });
+    expect(colours(await canvasShot(page))).toBeGreaterThan(8);
+    expect(errors).toEqual([]);
+    await context.close();
+  });
+});
+
+describe('comparing', () => {
+  it('shows two steps side by side, with cameras locked', async () => {
+    const { page } = await host.open();
+    await page.selectOption('.compare select', '6');
+    await settle(page);
+    expect(await page.textContent('.compare-labels')).toContain('6 D̄-cells');
+    const both = await canvasShot(page);
+    await setView(page, { step: 4 });
+    const other = await canvasShot(page);
+    expect(difference(both, other).share).toBeGreaterThan(0.02);
+    await page.keyboard.press('c');
+    expect((await viewOf(page)).compare).toBeNull();
+    await page.close();
+  });
+});
