@@ -271,8 +271,9 @@ export class App {
       : { ...defaultState, step: state.step, theme, projection, occlusion, layers };
     const next = { ...fresh, ...patch, model: model.ref, reference: model.reference };
     if (noMesh && next.step > 4) next.step = 4;
-    this.view.set(next, { silent });
     this.stage.setModel(model);
+    this.view.set(next, { silent });
+    this.stage.refresh();
     this.setUi({ model: this.ui.state.model + 1 });
     const { certificate, primal, onlyMatching } = model.result;
     this.say(
@@ -297,6 +298,7 @@ export class App {
       if (known) {
         this.model = known;
         this.stage.setModel(known);
+        this.stage.refresh();
         this.setUi({ model: this.ui.state.model + 1, problem: null });
       } else void this.rerun(now);
       return;
@@ -319,6 +321,7 @@ export class App {
       this.models.set(this.key(state.model, state.reference), this.model);
       this.setUi({ busy: null, model: this.ui.state.model + 1 });
       this.stage.setModel(this.model);
+      this.stage.refresh();
     } catch (error) {
       if (turn !== this.turn) return;
       this.setUi({ busy: null });

@@ -19,7 +19,7 @@ export class Stage {
   private problem: Problem | null = null;
   private handle: SliceHandle | null = null;
   private handleWanted = false;
-  private refining = '';
+  private refining: { scene: ModelScene; intervals: number } | null = null;
   private timer = 0;
   /** Of the last frames, in ms. */
   readonly frames: number[] = [];
@@ -46,14 +46,19 @@ export class Stage {
     return themes[this.app.ui.state.dark ? 'dark' : 'light'];
   }
 
+  /** Takes over a model; `refresh` shows it. */
   setModel(model: Model): void {
     this.scene?.dispose();
     this.scene = new ModelScene(model, this.theme);
-    this.refining = '';
+    this.refining = null;
     this.problem = null;
     this.mark(marksInModel(model));
+  }
+
+  refresh(): void {
     this.show();
     this.refine();
+    void this.placeHandle();
   }
 
   update(now: ViewState, before: ViewState): void {
@@ -154,19 +159,21 @@ export class Stage {
     if (!scene || (state.step !== 9 && state.compare !== 9)) return;
     const { result } = scene.model;
     if (result.primal.quality.length === 0) return;
-    const key = `${this.app.ui.state.model} ${state.refine}`;
-    if (key === this.refining || this.app.ui.state.busy) return;
-    this.refining = key;
+    const asked = this.refining;
+    if (asked?.scene === scene && asked.intervals === state.refine) return;
+    if (this.app.ui.state.busy) return;
+    const mine = { scene, intervals: state.refine };
+    this.refining = mine;
     this.app.core
       .refine(result.dimension, result.primal.positions, result.primal.blocks, state.refine)
       .then((refined) => {
-        if (this.scene !== scene || key !== this.refining) return;
-        scene.setRefined({ intervals: state.refine, ...refined });
+        if (this.refining !== mine) return;
+        scene.setRefined({ intervals: mine.intervals, ...refined });
         this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
         this.show();
       })
       .catch(() => {
-        if (key === this.refining) this.refining = '';
+        if (this.refining === mine) this.refining = null; // cancelled: asked for again when it is seen again
       });
   }
 

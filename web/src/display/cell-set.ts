@@ -15,6 +15,8 @@ export interface CellSet {
   /** Outlines: two points each, and the two faces (or one and -1) that they belong to. */
   lines: Int32Array;
   lineFaces: Int32Array;
+  /** Per line an earlier one of a neighbouring cell in the same place, or -1: only one of them needs to be drawn. */
+  lineTwin: Int32Array;
   /** xyz per cell: the mean of its points. */
   centers: Float32Array;
   /** Per cell, how many cells there are between it and the domain's boundary. */
@@ -171,10 +173,26 @@ export function uniformCells(
     faceOther,
     lines,
     lineFaces,
+    lineTwin: twins(lines, cells),
     centers,
     depth: uniformDepths(count, neighbors),
     open: dimension === 2,
   };
+}
+
+/** For each line the last earlier one between the same nodes. `cells` gives the node of each point. */
+function twins(lines: Int32Array, cells: Int32Array): Int32Array {
+  const nodes = cells.reduce((most, node) => Math.max(most, node + 1), 0);
+  const last = new Map<number, number>();
+  const twin = new Int32Array(lines.length / 2);
+  for (let k = 0; k < twin.length; k++) {
+    const a = cells[lines[2 * k]!]!;
+    const b = cells[lines[2 * k + 1]!]!;
+    const key = a < b ? a * nodes + b : b * nodes + a;
+    twin[k] = last.get(key) ?? -1;
+    last.set(key, k);
+  }
+  return twin;
 }
 
 function uniformDepths(count: number, neighbors: Int32Array): Int32Array {

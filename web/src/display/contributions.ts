@@ -137,6 +137,7 @@ export function polygonCells(count: number, points: Float32Array, pointCell: Int
     faceOther: new Int32Array(count).fill(-1),
     lines,
     lineFaces,
+    lineTwin: new Int32Array(lines.length / 2).fill(-1),
     centers: cellCenters(count, points, pointCell),
     depth: new Int32Array(count),
     open: true,

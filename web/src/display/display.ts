@@ -1,7 +1,7 @@
 // Everything the page draws of a run, packed in flat arrays by the worker.
 import type { RunResult } from '../../../wasm/result.ts';
-import { displayBlocks, displayReference } from './blocks.ts';
-import type { CellSet } from './cell-set.ts';
+import { displayBlocks, displayReference, referenceEdges } from './blocks.ts';
+import type { CellSet, PointSet, SegmentSet } from './cell-set.ts';
 import { type ContributionDisplay, displayContributions } from './contributions.ts';
 import { type DomainDisplay, displayDomain, pick } from './domain.ts';
 import { type DualCellDisplay, displayDualCells } from './dual-cells.ts';
@@ -11,10 +11,14 @@ export interface Display {
   dimension: 2 | 3;
   domain: DomainDisplay;
   reference: CellSet;
+  /** Each edge of the reference mesh once; entity = one of its simplices. */
+  wire: SegmentSet;
   contributions: ContributionDisplay;
   dual: DualCellDisplay;
   /** xyz of the primal nodes. */
-  nodes: Float32Array;
+  nodes: PointSet;
+  /** Entity = primal edge. */
+  edges: SegmentSet;
   blocks: CellSet;
   /** Low and high corner of the domain. */
   box: Float32Array;
@@ -37,6 +41,7 @@ export function displayOf(result: RunResult): Display {
     dimension,
     domain: displayDomain(result),
     reference: displayReference(result),
+    wire: referenceEdges(result),
     contributions: displayContributions(result, templates),
     dual: displayDualCells(result, templates),
     nodes: pick(
@@ -44,6 +49,10 @@ export function displayOf(result: RunResult): Display {
       primal.positions,
       Int32Array.from({ length: nodeCount }, (_, k) => k),
     ),
+    edges: {
+      ends: pick(dimension, primal.positions, primal.edges),
+      entity: Int32Array.from({ length: primal.edges.length / 2 }, (_, e) => e),
+    },
     blocks: displayBlocks(dimension, primal.positions, primal.blocks),
     box,
   };

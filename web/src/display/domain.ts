@@ -86,6 +86,7 @@ function boundary({ dimension, reference, domain }: RunResult): CellSet {
     faceOther: new Int32Array(faceCell.length).fill(-1),
     lines: new Int32Array(),
     lineFaces: new Int32Array(),
+    lineTwin: new Int32Array(),
     centers: cellCenters(count, points, pointCell),
     depth: new Int32Array(count),
     open: true,

@@ -121,6 +121,7 @@ export function displayDualCells(result: RunResult, templates: Templates): DualC
     faceOther: build.faceOther.finish(),
     lines: lines.finish(),
     lineFaces: lineFaces.finish(),
+    lineTwin: new Int32Array(lines.length / 2).fill(-1),
     centers: cellCenters(count, points, pointCell),
     depth: depths(count, pairs, onBoundary),
     open: dimension === 2,

@@ -44,7 +44,7 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
       return made(layer, { depth: display.reference.depth });
     }
     case 'wire':
-      return made(new SegmentLayer(meshEdges(model), 1, { kind: 'simplex', number, bias: 0 }));
+      return made(new SegmentLayer(display.wire, 1, { kind: 'simplex', number, bias: 0 }));
     case 'hard':
     case 'soft':
     case 'surfaces': {
@@ -74,7 +74,7 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
         : undefined;
     case 'edges':
       return display.nodes.length > 0
-        ? made(new SegmentLayer(primalEdges(model), 2.2, { kind: 'edge', number, bias: 0.004 }))
+        ? made(new SegmentLayer(display.edges, 2.2, { kind: 'edge', number, bias: 0.004 }))
         : undefined;
     case 'nodes':
       return display.nodes.length > 0
@@ -171,32 +171,4 @@ function crossingLayer({ display }: Model, number: number): Layer {
   for (let k = 0; k < crossings.entity.length; k++)
     points.set(crossings.ends.subarray(6 * k, 6 * k + 3), 3 * k);
   return new PointLayer(points, 9, { kind: 'surface', number });
-}
-
-/** Each edge of the reference mesh once; it belongs to one of its simplices. */
-function meshEdges({ display }: Model): { ends: Float32Array; entity: Int32Array } {
-  const { points, lines, pointCell } = display.reference;
-  const seen = new Set<string>();
-  const ends: number[] = [];
-  const entity: number[] = [];
-  for (let k = 0; k < lines.length; k += 2) {
-    const a = points.subarray(3 * lines[k]!, 3 * lines[k]! + 3);
-    const b = points.subarray(3 * lines[k + 1]!, 3 * lines[k + 1]! + 3);
-    const keys = [a.join(), b.join()].sort();
-    const key = keys.join('|');
-    if (seen.has(key)) continue;
-    seen.add(key);
-    ends.push(...a, ...b);
-    entity.push(pointCell[lines[k]!]!);
-  }
-  return { ends: Float32Array.from(ends), entity: Int32Array.from(entity) };
-}
-
-function primalEdges({ display, result }: Model): { ends: Float32Array; entity: Int32Array } {
-  const { edges } = result.primal;
-  const ends = new Float32Array(3 * edges.length);
-  edges.forEach((node, k) => {
-    ends.set(display.nodes.subarray(3 * node, 3 * node + 3), 3 * k);
-  });
-  return { ends, entity: Int32Array.from({ length: edges.length / 2 }, (_, k) => k) };
 }

@@ -100,7 +100,7 @@ export class CellLayer implements Layer {
       exposed[f] = visible && (gaps || other < 0 || (mask !== null && mask[other] === 0)) ? 1 : 0;
     }
     if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
-    if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, out));
+    if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, gaps, out));
   }
 
   /** Closes the cells that the planes cut; none removes the caps. */
@@ -176,13 +176,25 @@ function triangles({ faceOffsets, facePoints }: CellSet, exposed: Uint8Array, ou
   return n;
 }
 
-function outlines({ lines, lineFaces }: CellSet, exposed: Uint8Array, out: Uint32Array): number {
+/** Where cells touch, a line of several of them is drawn once: by the first that shows it. */
+function outlines(
+  { lines, lineFaces, lineTwin }: CellSet,
+  exposed: Uint8Array,
+  gaps: boolean,
+  out: Uint32Array,
+): number {
+  const seen = (line: number): boolean => {
+    const second = lineFaces[2 * line + 1]!;
+    return exposed[lineFaces[2 * line]!] === 1 || (second >= 0 && exposed[second] === 1);
+  };
   let n = 0;
-  for (let k = 0; k < lines.length; k += 2) {
-    const second = lineFaces[k + 1]!;
-    if (!exposed[lineFaces[k]!] && !(second >= 0 && exposed[second])) continue;
-    out[n++] = lines[k]!;
-    out[n++] = lines[k + 1]!;
+  for (let k = 0; k < lineTwin.length; k++) {
+    if (!seen(k)) continue;
+    let twin = gaps ? -1 : lineTwin[k]!;
+    while (twin >= 0 && !seen(twin)) twin = lineTwin[twin]!;
+    if (twin >= 0) continue;
+    out[n++] = lines[2 * k]!;
+    out[n++] = lines[2 * k + 1]!;
   }
   return n;
 }

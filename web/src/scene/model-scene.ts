@@ -18,6 +18,8 @@ import { type Filterable, placeSlice, type SlicePlane, visibleMask } from './fil
 import { flag, type Layer } from './layer.ts';
 import type { Theme } from './palette.ts';
 
+const mostWithGaps = 20_000;
+
 interface Entry {
   layer: Layer;
   filterable: Filterable;
@@ -110,8 +112,10 @@ export class ModelScene {
     const { uniforms } = layer;
     const deforms = id === 'simplices' || id === 'cells' || id === 'blocks' || id === 'refined';
     uniforms.opacity.value = opacity;
-    uniforms.shrink.value = deforms ? shrinkOf(state, step) : 1;
-    uniforms.explode.value = deforms ? explodeOf(state, step) : 0;
+    // A step's own gaps make all faces of all cells visible: not for more than can be looked at anyway.
+    const many = layer.count > mostWithGaps;
+    uniforms.shrink.value = deforms && !(many && state.shrink === null) ? shrinkOf(state, step) : 1;
+    uniforms.explode.value = deforms && !(many && state.explode === null) ? explodeOf(state, step) : 0;
     uniforms.origin.value.copy(this.center);
     uniforms.dimmed.value = state.selection ? 1 : 0;
   }

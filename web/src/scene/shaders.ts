@@ -116,6 +116,7 @@ uniform float shrink;
 uniform float explode;
 uniform vec3 origin;
 vec3 placed(vec3 p, int id) {
+  if (shrink == 1. && explode == 0.) return p;
   vec3 c = texelFetch(centers, texelOf(id), 0).xyz;
   return mix(c, p, shrink) + (c - origin) * explode;
 }
@@ -133,6 +134,7 @@ float biasedDepth(vec3 p, float w) {
 `;
 
 const cellVertex = /* glsl */ `${common}${fetching}${placing}
+uniform float lineTint;
 in float cell;
 out vec3 viewPoint;
 out vec3 worldPoint;
@@ -142,7 +144,7 @@ flat out vec4 second;
 void main() {
   id = int(cell + .5);
   first = firstColour(id);
-  second = secondColour(id);
+  second = lineTint == 0. ? secondColour(id) : vec4(0.);
   worldPoint = placed(position, id);
   vec4 v = modelViewMatrix * vec4(worldPoint, 1.);
   viewPoint = v.xyz;

@@ -1,0 +1,99 @@
+// Large and many: what is drawn of 138,240 cells, memory over many runs, the page while the core computes.
+import { expect, it } from 'vitest';
+import { expectNoProblems, openExample, settle, setView, usePage } from './support/page.ts';
+
+const host = usePage();
+
+it('draws the exposed faces of 138,240 cells only, each line once, and filters them', async () => {
+  const opened = await host.open();
+  const { page } = opened;
+  await page.evaluate(() => void dualblock.openExample('protrusion', { step: 9, refine: 12 }));
+  await page.waitForFunction(() => dualblock.stage.scene?.refinement?.intervals === 12);
+  await settle(page);
+  const drawn = (): Promise<{ cells: number; triangles: number; lines: number; boundary: number }> =>
+    page.evaluate(() => {
+      const scene = dualblock.stage.scene!;
+      const layer = scene.layer('refined') as unknown as {
+        count: number;
+        drawn: () => { triangles: { length: number }; lines: { length: number } };
+      };
+      const { triangles, lines } = layer.drawn();
+      return {
+        cells: layer.count,
+        triangles: triangles.length / 3,
+        lines: lines.length / 2,
+        boundary: scene.model.result.primal.boundaryFacet.length,
+      };
+    });
+  const all = await drawn();
+  expect(all.cells).toBe(80 * 12 ** 3);
+  expect(all.triangles).toBe(2 * all.boundary * 12 ** 2);
+  // On a closed surface of quadrilaterals there are twice as many edges as faces.
+  expect(all.lines).toBe(2 * all.boundary * 12 ** 2);
+  await setView(page, { slice: { axis: 'z', normal: [0, 0, 1], offset: -0.4, slab: null, capped: false } });
+  const half = await drawn();
+  expect(half.triangles).toBeLessThan(all.triangles);
+  expect(half.triangles).toBeGreaterThan(0.4 * all.triangles);
+  expectNoProblems(opened);
+  await page.close();
+});
+
+it('fifty runs leave the core’s memory where it was', async () => {
+  const { page } = await host.open();
+  await page.evaluate(() => dualblock.openExample('house'));
+  const peaks = await page.evaluate(async () => {
+    const bytes = new Uint8Array(await (await fetch('examples/protrusion.json')).arrayBuffer());
+    const out: number[] = [];
+    for (let k = 0; k < 50; k++)
+      out.push((await dualblock.core.run('protrusion.json', bytes, { seed: k % 5 })).memory);
+    return out;
+  });
+  expect(peaks).toHaveLength(50);
+  expect(peaks.at(-1)! / peaks[4]!).toBeLessThan(1.05);
+  await page.close();
+});
+
+it('the page goes on answering while the core computes', async () => {
+  const { page } = await host.open();
+  // Long tasks of the page itself, from the start of the run to its result.
+  const tasks = await page.evaluate(async () => {
+    const long: number[] = [];
+    const observer = new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) long.push(entry.startTime + entry.duration, entry.duration);
+    });
+    observer.observe({ type: 'longtask' });
+    const bytes = new Uint8Array(await (await fetch('examples/square_ring.json')).arrayBuffer());
+    let ticks = 0;
+    const timer = setInterval(() => ticks++, 10);
+    const { result } = await dualblock.core.run('square_ring.json', bytes, { edgeLength: 0.15 });
+    const end = performance.now();
+    clearInterval(timer);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    const during = long.filter((_, k) => k % 2 === 1 && long[k - 1]! <= end);
+    return { during, ticks, simplices: result.reference.simplices.length / 4 };
+  });
+  expect(tasks.simplices).toBeGreaterThan(20_000);
+  expect(tasks.ticks).toBeGreaterThan(5);
+  expect(tasks.during).toEqual([]);
+  await page.close();
+});
+
+it('switching steps makes each layer once', async () => {
+  const { page } = await host.open();
+  await openExample(page, 'protrusion');
+  for (const step of [1, 2, 3, 4, 5, 6, 7, 8] as const) await setView(page, { step });
+  const memory = (): Promise<string> =>
+    page.evaluate(() => {
+      const { geometries, textures } = dualblock.stage.viewer.renderer.info.memory;
+      return `${geometries} geometries, ${textures} textures`;
+    });
+  const once = await memory();
+  for (const step of [1, 2, 3, 4, 5, 6, 7, 8] as const) await setView(page, { step });
+  expect(await memory()).toBe(once);
+  // Another model and back: what the first one had is given up.
+  await openExample(page, 'house');
+  await openExample(page, 'protrusion');
+  for (const step of [1, 2, 3, 4, 5, 6, 7, 8] as const) await setView(page, { step });
+  expect(await memory()).toBe(once);
+  await page.close();
+});
