@@ -54,7 +54,7 @@ export function Header() {
           <path d="M12 2 21 7v10l-9 5-9-5V7z" />
           <path d="m3 7 9 5 9-5M12 12v10M7.5 4.5 16.5 9.5v10M16.5 4.5 7.5 9.5v10" class="dual" />
         </svg>
-        dualblock
+        <span>dualblock</span>
       </h1>
       {model && (
         <p class="title" title={model.title}>

@@ -45,7 +45,14 @@ export class ModelScene {
     this.theme = theme;
     const { box } = model.display;
     this.center.set((box[0]! + box[3]!) / 2, (box[1]! + box[4]!) / 2, (box[2]! + box[5]!) / 2);
-    this.radius = 0.5 * Math.hypot(box[3]! - box[0]!, box[4]! - box[1]!, box[5]! - box[2]!) || 1;
+    const { vertices } = model.display.domain;
+    let reach = 0;
+    for (let v = 0; v < vertices.length; v += 3)
+      reach = Math.max(
+        reach,
+        this.center.distanceToSquared({ x: vertices[v]!, y: vertices[v + 1]!, z: vertices[v + 2]! }),
+      );
+    this.radius = Math.sqrt(reach) || 1;
   }
 
   setTheme(theme: Theme): void {

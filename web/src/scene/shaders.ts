@@ -90,8 +90,8 @@ void cutAway(vec3 p) {
 }
 /** flag: 0 as it is, 1 counterpart of the selection, 2 selected. */
 vec3 emphasised(vec3 rgb, float flag, int id) {
-  if (flag > 1.5) rgb = mix(rgb, accent, .85);
-  else if (flag > .5) rgb = mix(rgb, accent, .4);
+  if (flag > 1.5) rgb = mix(rgb, accent, .95);
+  else if (flag > .5) rgb = mix(rgb, accent, .62);
   else rgb = mix(rgb, paper, .55 * dimmed);
   return id == hover ? mix(rgb, accent, .5) : rgb;
 }

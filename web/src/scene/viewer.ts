@@ -415,8 +415,8 @@ export class Viewer {
 
   private drawHelper(): void {
     const { helper, insets } = this;
-    helper.location.right = insets.right + 4;
-    helper.location.bottom = insets.bottom + 4;
+    helper.location.right = insets.right + 2;
+    helper.location.top = insets.top + 2;
     helper.render(this.renderer);
   }
 
