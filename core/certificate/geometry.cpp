@@ -2,8 +2,8 @@
 // blocks' volumes add up to the domain's. The determinant is built here from its definition by polynomial
 // multiplication, not by the construction's formula.
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <sstream>
 
 #include "certificate/checks.h"
 
@@ -186,10 +186,9 @@ template <int N> double domainMeasure(const CertificateInput<N> &in, double &sur
 }
 
 std::string scientific(double x) {
-  std::ostringstream text;
-  text.precision(3);
-  text << x;
-  return text.str();
+  char text[32]; // a stream would bring 28 kB (gzip) of locales into the module
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
 }
 
 /// Sign (see jacobianSign) and ratio of the smallest to the largest coefficient of a block's determinant.

@@ -469,6 +469,7 @@ it('every dialog opens, and closes by Escape', async () => {
     await page.waitForSelector('dialog', { state: 'detached' });
   }
   await page.keyboard.press('Control+k');
+  await page.waitForSelector('dialog [data-focus]:focus');
   await page.keyboard.type('dark');
   await page.keyboard.press('Enter');
   await settle(page);

@@ -1,6 +1,6 @@
 // Help, share, export, the paper's pictures, all commands: native dialogs, which keep the focus inside.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { actions } from '../actions.ts';
 import { download, exporters, pictureOf } from '../export.ts';
 import { figures } from '../model/paper.ts';
@@ -30,7 +30,7 @@ function Dialog(props: { name: DialogName; title: string; wide: boolean; childre
   const { name, title, wide, children } = props;
   const app = useApp();
   const ref = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     ref.current?.setAttribute('closedby', 'any');
     ref.current?.showModal();
     ref.current?.querySelector<HTMLElement>('[data-focus]')?.focus();
