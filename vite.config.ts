@@ -8,7 +8,13 @@ export default defineConfig({
   base: './',
   publicDir: '../public',
   plugins: [securityPolicy, licenceAndSource, serviceWorker],
-  build: { outDir: '../dist', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
+  build: {
+    outDir: '../dist',
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 800,
+  },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
   test: {

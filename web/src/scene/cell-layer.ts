@@ -3,6 +3,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
+  FrontSide,
   Group,
   LineSegments,
   Mesh,
@@ -76,6 +77,7 @@ export class CellLayer implements Layer {
       this.object.add(this.outlines);
     }
     for (const child of this.object.children) child.frustumCulled = false;
+    if (!set.open && this.faces) this.faces.material.side = FrontSide;
     this.show(null, false);
   }
 

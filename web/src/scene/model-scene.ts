@@ -17,6 +17,7 @@ import { CellLayer } from './cell-layer.ts';
 import { type Filterable, placeSlice, type SlicePlane, visibleMask } from './filters.ts';
 import { flag, type Layer } from './layer.ts';
 import type { Theme } from './palette.ts';
+import { setVariant } from './shaders.ts';
 
 const mostWithGaps = 20_000;
 
@@ -119,6 +120,7 @@ export class ModelScene {
     const { uniforms } = layer;
     const deforms = id === 'simplices' || id === 'cells' || id === 'blocks' || id === 'refined';
     uniforms.opacity.value = opacity;
+    setVariant(layer.object, opacity < 1, state.slice?.capped === true);
     // A step's own gaps make all faces of all cells visible: not for more than can be looked at anyway.
     const many = layer.count > mostWithGaps;
     uniforms.shrink.value = deforms && !(many && state.shrink === null) ? shrinkOf(state, step) : 1;

@@ -4,6 +4,8 @@ import {
   DoubleSide,
   GLSL3,
   type IUniform,
+  type Mesh,
+  type Object3D,
   ShaderMaterial,
   type Texture,
   Vector2,
@@ -86,7 +88,9 @@ uniform vec4 clips[2];
 layout(location = 0) out vec4 target0;
 layout(location = 1) out vec4 target1;
 void cutAway(vec3 p) {
+#ifdef CLIPPED
   if (dot(clips[0].xyz, p) > clips[0].w || dot(clips[1].xyz, p) > clips[1].w) discard;
+#endif
 }
 /** flag: 0 as it is, 1 counterpart of the selection, 2 selected. */
 vec3 emphasised(vec3 rgb, float flag, int id) {
@@ -99,12 +103,16 @@ void emit(vec3 rgb, int id) {
   if (drawMode == ${drawMode.pick}) {
     int code = id + 1;
     target0 = vec4(float(layer) / 255., float(code / 65536) / 255., float((code / 256) % 256) / 255., float(code % 256) / 255.);
-  } else if (drawMode == ${drawMode.blend}) {
+  }
+#ifdef BLENDED
+  else if (drawMode == ${drawMode.blend}) {
     if (gl_FragCoord.z > texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r) discard;
     float w = opacity * clamp(8. * pow(1. - gl_FragCoord.z * .9, 3.), .02, 20.);
     target0 = vec4(rgb * w, w);
     target1 = vec4(-log(max(1. - opacity, 1e-3)), 0., 0., 1.);
-  } else {
+  }
+#endif
+  else {
     target0 = vec4(rgb, 1.);
   }
 }
@@ -281,6 +289,22 @@ void main() {
   emit(min(rgb, vec3(1.)), id);
 }
 `;
+
+/**
+ * Fragments are only discarded where that can happen: a shader that never does lets the depth test come first.
+ * `blended`: the layer is transparent; `clipped`: planes cut it.
+ */
+export function setVariant(object: Object3D, blended: boolean, clipped: boolean): void {
+  object.traverse((child) => {
+    const { material: made } = child as Mesh;
+    if (!(made instanceof ShaderMaterial)) return;
+    const now = 'BLENDED' in made.defines;
+    const cut = 'CLIPPED' in made.defines;
+    if (now === blended && cut === clipped) return;
+    made.defines = { ...(blended ? { BLENDED: '' } : {}), ...(clipped ? { CLIPPED: '' } : {}) };
+    made.needsUpdate = true;
+  });
+}
 
 function material(
   vertexShader: string,
