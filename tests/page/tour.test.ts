@@ -93,7 +93,7 @@ describe('the camera', () => {
   it('does not move between steps', async () => {
     const { page } = await host.open();
     const cameraOf = (): Promise<string> =>
-      page.evaluate(() => JSON.stringify(dualblock.stage.viewer.cameraState()));
+      page.evaluate(() => JSON.stringify(dualblock.stage.viewer.rig.state()));
     const first = await cameraOf();
     for (const step of [1, 3, 6, 9, 8]) {
       await page.keyboard.press(String(step));

@@ -52,7 +52,7 @@ async function strip(name, example, steps, columns) {
       context.fillStyle = '#f4f6f9';
       context.fillRect(0, 0, canvas.width, canvas.height);
       context.imageSmoothingQuality = 'high';
-      dualblock.view.set({ camera: { ...dualblock.stage.viewer.fitted(false), zoom: 1.3 } });
+      dualblock.view.set({ camera: { ...dualblock.stage.viewer.rig.fitted(false), zoom: 1.3 } });
       for (const [k, step] of steps.entries()) {
         dualblock.view.set({ step });
         await new Promise((resolve) => setTimeout(resolve, 150));

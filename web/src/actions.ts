@@ -1,6 +1,6 @@
 // Everything that has a name and perhaps a key: for the keyboard, the help and the command palette.
 import type { App } from './app.ts';
-import { type Step, steps } from './state/view-state.ts';
+import { defaultState, type Step, steps } from './state/view-state.ts';
 
 export interface Action {
   id: string;
@@ -78,23 +78,10 @@ export function isolateSelection(app: App): void {
   }
 }
 
-export function resetView(app: App): void {
-  app.view.set({
-    camera: null,
-    slice: null,
-    peel: 0,
-    quality: null,
-    hidden: [],
-    isolated: null,
-    selection: null,
-    shrink: null,
-    explode: null,
-    layers: {},
-    solo: {},
-    scrub: { hard: null, soft: null },
-    surfaces: 'both',
-    compare: null,
-  });
+/** Everything as a step shows it by itself; the model, the step and the general looks stay. */
+function resetView(app: App): void {
+  const { model, reference, step, projection, occlusion, theme, refine } = app.view.state;
+  app.view.set({ ...defaultState, model, reference, step, projection, occlusion, theme, refine });
   app.say('View reset.');
 }
 
@@ -171,7 +158,7 @@ export const actions: Action[] = [
     label: 'Fit the model into the view',
     keys: 'F',
     match: plain('f'),
-    run: (app) => app.view.set({ camera: app.stage.viewer.fitted(true) }),
+    run: (app) => app.view.set({ camera: app.stage.viewer.rig.fitted(true) }),
   },
   { id: 'reset', label: 'Reset the view', keys: '0', match: plain('0'), run: resetView },
   {
@@ -241,7 +228,7 @@ export const actions: Action[] = [
 ];
 
 /** Takes away the outermost visible layer of cells, or puts one back. */
-export function peelBy(app: App, by: number): void {
+function peelBy(app: App, by: number): void {
   const most = deepest(app);
   const next = Math.min(most, Math.max(0, app.view.state.peel + by));
   app.view.set({ peel: next });

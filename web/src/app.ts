@@ -23,7 +23,7 @@ import {
 
 const cachedModels = 8;
 /** Longest fragment of a link that holds a dropped model. */
-export const longestLink = 16_000;
+const longestLink = 16_000;
 
 type Reference = ViewState['reference'];
 const sameReference = (a: Reference, b: Reference): boolean =>

@@ -34,7 +34,7 @@ export async function pictureOf(app: App, scale: number, transparent: boolean): 
 }
 
 /** Bins of the histogram and how many blocks are in each. */
-export function histogramCsv({ result }: Model): string {
+function histogramCsv({ result }: Model): string {
   const summary = summarize(result.primal.quality);
   const counts = summary?.histogram ?? [];
   const width = 2 / Math.max(1, counts.length);

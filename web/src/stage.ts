@@ -3,11 +3,12 @@
 import type { App } from './app.ts';
 import { dimensionOf, type Marks, marksInDomain, marksInModel, outlineOf } from './model/culprits.ts';
 import type { Model } from './model/model.ts';
+import type { Insets } from './scene/camera.ts';
 import { markLayers } from './scene/marks.ts';
 import { ModelScene } from './scene/model-scene.ts';
 import { type Theme, themes } from './scene/palette.ts';
 import type { SliceHandle } from './scene/slice-handle.ts';
-import { type Insets, Viewer } from './scene/viewer.ts';
+import { Viewer } from './scene/viewer.ts';
 import type { Problem } from './state/ui-state.ts';
 import type { ViewState } from './state/view-state.ts';
 
@@ -21,8 +22,6 @@ export class Stage {
   private handleWanted = false;
   private refining: { scene: ModelScene; intervals: number } | null = null;
   private timer = 0;
-  /** Of the last frames, in ms. */
-  readonly frames: number[] = [];
 
   constructor(canvas: HTMLCanvasElement, app: App) {
     this.app = app;
@@ -34,10 +33,6 @@ export class Stage {
       },
       clicked: (entity) => {
         if (!this.handle?.active) app.view.set({ selection: entity });
-      },
-      drawn: (time) => {
-        this.frames.push(time);
-        if (this.frames.length > 240) this.frames.shift();
       },
     });
   }

@@ -197,19 +197,24 @@ function twins(lines: Int32Array, cells: Int32Array): Int32Array {
 
 function uniformDepths(count: number, neighbors: Int32Array): Int32Array {
   const perCell = neighbors.length / Math.max(1, count);
+  const near = (cell: number): Int32Array => neighbors.subarray(perCell * cell, perCell * (cell + 1));
+  return depthsOf(count, (cell) => near(cell).includes(-1), near);
+}
+
+/** For each cell how many steps, from neighbour to neighbour, lead to an outer cell; -1 for none. */
+export function depthsOf(
+  count: number,
+  isOuter: (cell: number) => boolean,
+  neighborsOf: (cell: number) => Iterable<number>,
+): Int32Array {
   const depth = new Int32Array(count).fill(-1);
   let front: number[] = [];
-  for (let f = 0; f < neighbors.length; f++) {
-    const cell = Math.floor(f / perCell);
-    if (neighbors[f]! >= 0 || depth[cell] === 0) continue;
-    depth[cell] = 0;
-    front.push(cell);
-  }
+  for (let cell = 0; cell < count; cell++) if (isOuter(cell)) front.push(cell);
+  for (const cell of front) depth[cell] = 0;
   for (let level = 1; front.length > 0; level++) {
     const next: number[] = [];
     for (const cell of front)
-      for (let k = 0; k < perCell; k++) {
-        const other = neighbors[perCell * cell + k]!;
+      for (const other of neighborsOf(cell)) {
         if (other < 0 || depth[other]! >= 0) continue;
         depth[other] = level;
         next.push(other);

@@ -1,7 +1,7 @@
 // Colours for cells so that neighbours differ.
 
 /** Colours to choose from; see the palette of the scene. */
-export const cellColours = 12;
+const cellColours = 12;
 
 /**
  * Greedy colouring in order: of the colours that no neighbour has, the one used least so far. `pairs` holds each cell's

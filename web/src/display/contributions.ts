@@ -115,7 +115,7 @@ function corners(mask: number, n: number): [near: number, far: number][] {
 }
 
 /** One polygon per cell, its points in a row. */
-export function polygonCells(count: number, points: Float32Array, pointCell: Int32Array): CellSet {
+function polygonCells(count: number, points: Float32Array, pointCell: Int32Array): CellSet {
   const faceOffsets = new Int32Array(count + 1);
   for (const cell of pointCell) faceOffsets[cell + 1]!++;
   for (let c = 0; c < count; c++) faceOffsets[c + 1]! += faceOffsets[c]!;

@@ -1,6 +1,6 @@
 // Step 1: facets, curves and vertices of the domain (paper 2.4).
 import type { RunResult } from '../../../wasm/result.ts';
-import { type CellSet, cellCenters, Ints, type PointSet, type SegmentSet } from './cell-set.ts';
+import { type CellSet, cellCenters, Ints, type PointSet, type SegmentSet, shapes } from './cell-set.ts';
 
 export interface DomainDisplay {
   /** 3D: a cell per facet. 2D: one cell, the domain. */
@@ -57,12 +57,7 @@ function boundary({ dimension, reference, domain }: RunResult): CellSet {
     for (const node of reference.simplices) corners.push(node);
     for (let s = 0; s < reference.simplices.length / 3; s++) cell.push(0);
   } else {
-    const loops = [
-      [1, 2, 3],
-      [0, 3, 2],
-      [0, 1, 3],
-      [0, 2, 1],
-    ];
+    const loops = shapes.tetrahedron.faces;
     for (let f = 0; f < reference.tags.length; f++) {
       const surface = reference.tags[f]! >> 1;
       if (reference.tags[f]! < 0 || reference.neighbors[f]! >= 0 || reference.surfaceKind[surface] !== 0)

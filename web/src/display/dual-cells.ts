@@ -1,6 +1,6 @@
 // Step 6: the D̄-cells (paper 3.2): their surfaces, made of pieces of contributions and of the domain's boundary.
 import type { RunResult } from '../../../wasm/result.ts';
-import { type CellSet, cellCenters, Ints } from './cell-set.ts';
+import { type CellSet, cellCenters, depthsOf, Ints } from './cell-set.ts';
 import { colourNeighbors } from './colouring.ts';
 import { keyScale, placePoint, pointKey } from './contributions.ts';
 import type { Template, Templates } from './regions.ts';
@@ -12,7 +12,7 @@ export interface DualCellDisplay {
 }
 
 /** The contributions present in a simplex, as a set. */
-export function presentIn({ contributions }: RunResult, simplex: number): number {
+function presentIn({ contributions }: RunResult, simplex: number): number {
   let present = 0;
   for (let k = contributions.offsets[simplex]!; k < contributions.offsets[simplex + 1]!; k++)
     present |= 1 << contributions.mask[k]!;
@@ -123,7 +123,11 @@ export function displayDualCells(result: RunResult, templates: Templates): DualC
     lineFaces: lineFaces.finish(),
     lineTwin: new Int32Array(lines.length / 2).fill(-1),
     centers: cellCenters(count, points, pointCell),
-    depth: depths(count, pairs, onBoundary),
+    depth: depthsOf(
+      count,
+      (cell) => onBoundary[cell] === 1,
+      (cell) => pairs.get(cell) ?? [],
+    ),
     open: dimension === 2,
   };
   return { cells, colour: colourNeighbors(count, pairs) };
@@ -147,25 +151,4 @@ function outlines(build: Builder, lines: Ints, lineFaces: Ints): void {
       }
     }
   }
-}
-
-function depths(count: number, pairs: Map<number, Set<number>>, onBoundary: Uint8Array): Int32Array {
-  const depth = new Int32Array(count).fill(-1);
-  let front: number[] = [];
-  onBoundary.forEach((flag, cell) => {
-    if (!flag) return;
-    depth[cell] = 0;
-    front.push(cell);
-  });
-  for (let level = 1; front.length > 0; level++) {
-    const next: number[] = [];
-    for (const cell of front)
-      for (const other of pairs.get(cell) ?? []) {
-        if (depth[other]! >= 0) continue;
-        depth[other] = level;
-        next.push(other);
-      }
-    front = next;
-  }
-  return depth;
 }

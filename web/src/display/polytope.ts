@@ -1,6 +1,8 @@
 // Cutting convex polytopes by hyperplanes, with every face's origin kept. Points are barycentric coordinates in a
 // simplex of dimension N; a face's loop runs counter-clockwise seen from outside (3D), an edge's along the outline (2D).
 
+import { shapes } from './cell-set.ts';
+
 export interface Facet {
   /** Indices of points. In 2D a facet is an edge of two points. */
   loop: number[];
@@ -16,6 +18,13 @@ export interface Polytope {
 export const contributionLabel = 16;
 
 const epsilon = 1e-9;
+
+/** Side i is opposite to vertex i. */
+const triangleSides = [
+  [1, 2],
+  [2, 0],
+  [0, 1],
+] as const;
 
 /** Points that are made once each, so that neighbouring polytopes share them. */
 export class PointPool {
@@ -41,20 +50,8 @@ export function wholeSimplex(pool: PointPool): Polytope {
   const n = pool.width;
   for (let v = 0; v < n; v++) pool.add(Array.from({ length: n }, (_, k) => (k === v ? 1 : 0)));
   // Face i is opposite to vertex i; the loops point outwards in a positively oriented simplex.
-  const loops =
-    n === 3
-      ? [
-          [1, 2],
-          [2, 0],
-          [0, 1],
-        ]
-      : [
-          [1, 2, 3],
-          [0, 3, 2],
-          [0, 1, 3],
-          [0, 2, 1],
-        ];
-  return { facets: loops.map((loop, label) => ({ loop, label })) };
+  const loops = n === 3 ? triangleSides : shapes.tetrahedron.faces;
+  return { facets: loops.map((loop, label) => ({ loop: [...loop], label })) };
 }
 
 /**

@@ -4,7 +4,7 @@ import { featureKinds, tallyFeatures } from '../../../wasm/report.ts';
 import type { Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
-import { entityName, kindName, type Model } from './model.ts';
+import { kindName, type Model } from './model.ts';
 import { facetOfSide, relate, sidesOfContribution } from './provenance.ts';
 
 export interface Explanation {
@@ -318,5 +318,3 @@ function reasonOf(model: Model, contribution: number): string {
   });
   return [...new Set(each)].join('; ');
 }
-
-export const selectionTitle = (entity: Entity, dimension: 2 | 3): string => entityName(entity, dimension);

@@ -22,7 +22,7 @@ const none = (): Related => ({
 });
 
 /** The contributions of a simplex, by the page's numbers. */
-function contributionsBySimplex({ display, result }: Model): Map<number, number[]> {
+function contributionsBySimplex({ display }: Model): Map<number, number[]> {
   const map = new Map<number, number[]>();
   for (let c = 0; c < display.contributions.count; c++) {
     const s = display.contributions.simplex[c]!;
@@ -30,7 +30,6 @@ function contributionsBySimplex({ display, result }: Model): Map<number, number[
     if (list) list.push(c);
     else map.set(s, [c]);
   }
-  void result;
   return map;
 }
 

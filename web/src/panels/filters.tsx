@@ -20,7 +20,12 @@ export function FiltersPanel() {
     if (slice) app.view.set({ slice: { ...slice, ...patch } }, { merge });
   };
   const turn = (axis: Axis): void => {
-    const normals = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], view: app.stage.viewer.direction() } as const;
+    const normals = {
+      x: [1, 0, 0],
+      y: [0, 1, 0],
+      z: [0, 0, 1],
+      view: app.stage.viewer.rig.direction().toArray(),
+    } as const;
     const [x, y, z] = normals[axis];
     change({ axis, normal: [x, y, z] });
   };

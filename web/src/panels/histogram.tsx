@@ -4,10 +4,10 @@ import { cssColour, qualityColour } from '../scene/palette.ts';
 import { Slider } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 
-export const bins = 20;
+const bins = 20;
 
 /** Values per bin; bins of equal width from `low` to 1. */
-export function histogramOf(values: ArrayLike<number>, low: number): number[] {
+function histogramOf(values: ArrayLike<number>, low: number): number[] {
   const counts = new Array<number>(bins).fill(0);
   for (let k = 0; k < values.length; k++) {
     const at = Math.floor(((values[k]! - low) / (1 - low)) * bins);

@@ -3,7 +3,7 @@ import { type LayerId, type LayerSetting, layerIds, layerSetting } from '../stat
 import { Choice, Icon, IconButton } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 
-export function layerName(id: LayerId, dimension: 2 | 3): string {
+function layerName(id: LayerId, dimension: 2 | 3): string {
   const flat = dimension === 2;
   const names: Record<LayerId, string> = {
     facets: flat ? 'Domain' : 'Facets',

@@ -12,8 +12,8 @@ import {
 import type { CellSet } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
 import { type Cap, capsOf } from './caps.ts';
-import { Colours, type Layer, type Paint, pointTexture } from './layer.ts';
-import { cellMaterial, type LayerUniforms, layerUniforms } from './shaders.ts';
+import { Layer, pointTexture } from './layer.ts';
+import { cellMaterial } from './shaders.ts';
 
 export interface CellLayerOptions {
   kind: EntityKind;
@@ -33,14 +33,9 @@ export interface Plane {
   offset: number;
 }
 
-export class CellLayer implements Layer {
+export class CellLayer extends Layer {
   readonly object = new Group();
-  readonly kind: EntityKind;
-  readonly count: number;
-  readonly uniforms: LayerUniforms;
-  readonly centers: Float32Array;
   readonly set: CellSet;
-  private readonly colours: Colours;
   private readonly faces: Mesh<BufferGeometry, ShaderMaterial> | null = null;
   private readonly outlines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
   private readonly caps: Mesh<BufferGeometry, ShaderMaterial> | null = null;
@@ -49,13 +44,8 @@ export class CellLayer implements Layer {
 
   constructor(set: CellSet, options: CellLayerOptions) {
     const { kind, number, faces = true, outlines = true, lit = 1, lineTint = 0.72 } = options;
+    super(kind, number, set.centers);
     this.set = set;
-    this.kind = kind;
-    this.count = set.count;
-    this.centers = set.centers;
-    this.uniforms = layerUniforms(number);
-    this.colours = new Colours(set.count);
-    this.uniforms.colours.value = this.colours.texture;
     this.uniforms.centers.value = pointTexture(set.centers);
     this.exposed = new Uint8Array(set.faceCell.length);
     const position = new BufferAttribute(set.points, 3);
@@ -79,18 +69,6 @@ export class CellLayer implements Layer {
     for (const child of this.object.children) child.frustumCulled = false;
     if (!set.open && this.faces) this.faces.material.side = FrontSide;
     this.show(null, false);
-  }
-
-  paint(of: (id: number) => Paint): void {
-    this.colours.paint(of);
-  }
-
-  mark(of: ((id: number) => number) | null): void {
-    this.colours.mark(of);
-  }
-
-  colourOf(id: number) {
-    return this.colours.of(id);
   }
 
   show(mask: Uint8Array | null, gaps: boolean): void {
@@ -131,12 +109,12 @@ export class CellLayer implements Layer {
     };
   }
 
-  dispose(): void {
+  override dispose(): void {
     for (const object of [this.faces, this.outlines, this.caps]) {
       object?.geometry.dispose();
       object?.material.dispose();
     }
-    this.colours.texture.dispose();
+    super.dispose();
     this.uniforms.centers.value?.dispose();
   }
 

@@ -86,7 +86,7 @@ function cellObjects(layer: CellLayer, opacity: number): Object3D[] {
   return out;
 }
 
-export function sceneObjects(scene: ModelScene): Group {
+function sceneObjects(scene: ModelScene): Group {
   const group = new Group();
   for (const { id, layer, opacity } of scene.visible()) {
     let objects: Object3D[] = [];

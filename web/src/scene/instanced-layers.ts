@@ -8,8 +8,8 @@ import {
 } from 'three';
 import type { SegmentSet } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
-import { Colours, type Layer, type Paint } from './layer.ts';
-import { type LayerUniforms, layerUniforms, pointMaterial, segmentMaterial } from './shaders.ts';
+import { Layer } from './layer.ts';
+import { type LayerUniforms, pointMaterial, segmentMaterial } from './shaders.ts';
 
 interface InstancedOptions {
   kind: EntityKind;
@@ -20,13 +20,8 @@ interface InstancedOptions {
   bias?: number;
 }
 
-abstract class InstancedLayer implements Layer {
+abstract class InstancedLayer extends Layer {
   readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  readonly kind: EntityKind;
-  readonly count: number;
-  readonly uniforms: LayerUniforms;
-  readonly centers: Float32Array;
-  private readonly colours: Colours;
   private readonly entity: Int32Array;
   private readonly places: { name: string; data: Float32Array; width: number }[];
 
@@ -38,14 +33,9 @@ abstract class InstancedLayer implements Layer {
     centers: Float32Array,
     material: (uniforms: LayerUniforms) => ShaderMaterial,
   ) {
-    this.kind = options.kind;
-    this.count = centers.length / 3;
-    this.centers = centers;
+    super(options.kind, options.number, centers);
     this.entity = entity;
     this.places = places;
-    this.uniforms = layerUniforms(options.number);
-    this.colours = new Colours(this.count);
-    this.uniforms.colours.value = this.colours.texture;
     const geometry = new InstancedBufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(Float32Array.from(corners), 3));
     geometry.setIndex([0, 1, 2, 2, 1, 3]);
@@ -55,18 +45,6 @@ abstract class InstancedLayer implements Layer {
     geometry.instanceCount = entity.length;
     this.object = new Mesh(geometry, material(this.uniforms));
     this.object.frustumCulled = false;
-  }
-
-  paint(of: (id: number) => Paint): void {
-    this.colours.paint(of);
-  }
-
-  mark(of: ((id: number) => number) | null): void {
-    this.colours.mark(of);
-  }
-
-  colourOf(id: number) {
-    return this.colours.of(id);
   }
 
   /** Visible instances move to the front. */
@@ -93,10 +71,10 @@ abstract class InstancedLayer implements Layer {
     return Float32Array.from(geometry.getAttribute(name).array).slice(0, width * geometry.instanceCount);
   }
 
-  dispose(): void {
+  override dispose(): void {
     this.object.geometry.dispose();
     this.object.material.dispose();
-    this.colours.texture.dispose();
+    super.dispose();
   }
 }
 

@@ -1,7 +1,7 @@
 // What all layers of the scene have in common: entities with colours, flags and visibility.
 import { DataTexture, FloatType, NearestFilter, type Object3D, RGBAFormat, UnsignedByteType } from 'three';
 import type { EntityKind } from '../state/view-state.ts';
-import { type LayerUniforms, rowWidth } from './shaders.ts';
+import { type LayerUniforms, layerUniforms, rowWidth } from './shaders.ts';
 
 /** An RGB colour, 0 to 255. */
 export type Rgb = readonly [number, number, number];
@@ -14,23 +14,50 @@ export interface Paint {
 
 export const flag = { none: 0, related: 1, selected: 2 } as const;
 
-export interface Layer {
-  readonly object: Object3D;
+/** Entities of one kind: each has a colour, a flag, and is visible or not. */
+export abstract class Layer {
+  abstract readonly object: Object3D;
   readonly kind: EntityKind;
   readonly count: number;
   readonly uniforms: LayerUniforms;
   /** xyz per entity, for filters. */
   readonly centers: Float32Array;
-  paint(of: (id: number) => Paint): void;
-  /** A flag per entity; null for none. */
-  mark(of: ((id: number) => number) | null): void;
+  private readonly colours: Colours;
+
+  /** `number`: for picking, over 0. */
+  constructor(kind: EntityKind, number: number, centers: Float32Array) {
+    this.kind = kind;
+    this.count = centers.length / 3;
+    this.centers = centers;
+    this.uniforms = layerUniforms(number);
+    this.colours = new Colours(this.count);
+    this.uniforms.colours.value = this.colours.texture;
+  }
+
   /** Shows the entities whose byte is not 0; null for all. `gaps`: cells do not touch. */
-  show(mask: Uint8Array | null, gaps: boolean): void;
-  dispose(): void;
+  abstract show(mask: Uint8Array | null, gaps: boolean): void;
+
+  paint(of: (id: number) => Paint): void {
+    this.colours.paint(of);
+  }
+
+  /** A flag per entity; null for none. */
+  mark(of: ((id: number) => number) | null): void {
+    this.colours.mark(of);
+  }
+
+  /** The colour of an entity as it was painted. */
+  colourOf(id: number): Rgb {
+    return this.colours.of(id);
+  }
+
+  dispose(): void {
+    this.colours.texture.dispose();
+  }
 }
 
 /** Two texels per entity: colour and flag, second colour and whether there is one. */
-export class Colours {
+class Colours {
   readonly texture: DataTexture;
   private readonly data: Uint8Array;
   private readonly count: number;

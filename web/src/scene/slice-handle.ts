@@ -26,7 +26,7 @@ export class SliceHandle {
 
   constructor(viewer: Viewer, moved: (offset: number) => void) {
     this.viewer = viewer;
-    this.controls = new TransformControls(viewer.camera, viewer.canvas);
+    this.controls = new TransformControls(viewer.rig.camera, viewer.canvas);
     this.controls.setSpace('local');
     this.controls.showX = false;
     this.controls.showY = false;
@@ -41,7 +41,7 @@ export class SliceHandle {
     this.controls.addEventListener('change', () => viewer.invalidate());
     this.controls.addEventListener('dragging-changed', ({ value }) => {
       this.dragging = value === true;
-      viewer.enableControls(!this.dragging);
+      viewer.rig.enable(!this.dragging);
     });
     this.controls.addEventListener('objectChange', () => {
       const { center, normal, reach } = this.frame;
@@ -56,7 +56,7 @@ export class SliceHandle {
     this.group.visible = on;
     this.controls.enabled = on;
     this.controls.getHelper().visible = on;
-    this.controls.camera = this.viewer.camera;
+    this.controls.camera = this.viewer.rig.camera;
     if (slice) {
       const plane = placeSlice({ ...slice, slab: null }, model.display.box);
       const normal = new Vector3(...plane.normal);
