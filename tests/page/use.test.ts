@@ -206,6 +206,107 @@ describe('selecting', () => {
   });
 });
 
+describe('looking inside', () => {
+  it('the slice’s arrow is dragged, without turning or selecting anything', async () => {
+    const { page } = await host.open();
+    await page.keyboard.press('s');
+    await page.waitForFunction(() => dualblock.view.state.slice !== null);
+    // Where the arrow is on the screen: the handle is loaded when it is first wanted.
+    const arrow = await page.evaluate(async () => {
+      const { Vector3 } = { Vector3: dualblock.stage.scene!.center.constructor as new () => typeof center };
+      const { center, radius } = dualblock.stage.scene!;
+      const { camera } = dualblock.stage.viewer.rig;
+      const at = (y: number): [number, number] => {
+        const p = new Vector3().copy(center);
+        p.y += y * radius;
+        p.project(camera);
+        return [((p.x + 1) / 2) * innerWidth, ((1 - p.y) / 2) * innerHeight];
+      };
+      await new Promise((resolve) => setTimeout(resolve, 1000));
+      return { from: at(0.15), to: at(0.45) };
+    });
+    await page.mouse.move(...arrow.from);
+    await settle(page);
+    await page.mouse.down();
+    await page.mouse.move(...arrow.to, { steps: 6 });
+    await page.mouse.up();
+    await settle(page);
+    const state = await viewOf(page);
+    expect(state.slice?.offset).toBeGreaterThan(0.1);
+    expect(state).toMatchObject({ camera: null, selection: null });
+    await page.keyboard.press('Control+z');
+    expect((await viewOf(page)).slice?.offset).toBe(0);
+    await page.close();
+  });
+
+  it('the histogram is brushed: only blocks of that quality stay', async () => {
+    const { page } = await host.open();
+    await openExample(page, 'icosahedron');
+    await page.click('#tab-filters');
+    const box = (await page.locator('.panel.left .histogram svg').boundingBox())!;
+    const y = box.y + box.height / 2;
+    await page.mouse.move(box.x + 0.5 * box.width, y);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width - 1, y, { steps: 4 });
+    await page.mouse.up();
+    await settle(page);
+    const { quality } = await viewOf(page);
+    expect(quality![0]).toBeCloseTo(0.5, 1);
+    const [shown, wanted] = await page.evaluate(() => {
+      const layer = dualblock.stage.scene!.layer('blocks') as unknown as {
+        drawn: () => { triangles: Uint32Array; cell: Int32Array };
+      };
+      const { triangles, cell } = layer.drawn();
+      const { quality: values } = dualblock.model!.result.primal;
+      const [low, high] = dualblock.view.state.quality!;
+      return [
+        new Set([...triangles].map((p) => cell[p])).size,
+        values.filter((q) => q >= low && q <= high).length,
+      ];
+    });
+    expect(wanted).toBeGreaterThan(0);
+    expect(wanted).toBeLessThan(60);
+    expect(shown).toBe(wanted);
+    await page.close();
+  });
+
+  it('contributions are played in the order of their insertion, and paused', async () => {
+    const { page } = await host.open();
+    await openExample(page, 'tapered_brick');
+    await page.keyboard.press('3');
+    await page.selectOption('[aria-label=Speed]', '40');
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => (dualblock.view.state.scrub.hard ?? 0) > 5);
+    await page.keyboard.press(' ');
+    const paused = (await viewOf(page)).scrub.hard!;
+    expect(paused).toBeLessThan(36);
+    await settle(page);
+    expect((await viewOf(page)).scrub.hard).toBe(paused);
+    expect(await page.textContent('.scrubber output')).toBe(`${paused} of 36`);
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => dualblock.view.state.scrub.hard === null);
+    expect(await page.evaluate(() => dualblock.ui.state.playing)).toBe(false);
+    await page.close();
+  });
+
+  it('ambient occlusion darkens where surfaces face each other, in both projections', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    await openExample(page, 'protrusion');
+    for (const projection of ['perspective', 'orthographic'] as const) {
+      await setView(page, { projection, occlusion: false });
+      const plain = await canvasShot(page);
+      await setView(page, { occlusion: true });
+      await page.waitForTimeout(800); // it is loaded when it is first wanted
+      const dark = difference(plain, await canvasShot(page));
+      expect(dark.share).toBeGreaterThan(0.004);
+      expect(dark.share).toBeLessThan(0.2);
+    }
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
 it('every dialog opens, and closes by Escape', async () => {
   const opened = await host.open();
   const { page } = opened;

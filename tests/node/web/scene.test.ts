@@ -244,7 +244,7 @@ describe('explanations', () => {
   it('state the Euler characteristic that the counts give', () => {
     expect(explain(model('square_ring'), 8, 3).invariant).toContain('= 0');
     expect(explain(model('tapered_brick'), 8, 3).invariant).toContain('= 1');
-    expect(explain(model('two_holes_2d'), 8, 3).invariant).toContain('= -1');
+    expect(explain(model('two_holes_2d'), 8, 3).invariant).toContain('= −1');
   });
 });
 

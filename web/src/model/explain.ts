@@ -129,6 +129,7 @@ export function explain({ result, display }: Model, step: Step, refined: number)
       };
     case 8: {
       const { quality } = primal;
+      const euler = nodes - primal.edges.length / 2 + primal.faces.length / 4 - (flat ? 0 : quality.length);
       const least = quality.reduce((a, b) => Math.min(a, b), 1);
       const mean = quality.reduce((a, b) => a + b, 0) / Math.max(1, quality.length);
       return {
@@ -140,7 +141,7 @@ export function explain({ result, display }: Model, step: Step, refined: number)
           ['Mean', quality.length ? mean.toFixed(3) : '–'],
         ],
         invariant: result.certificate.valid
-          ? `V − E + F${flat ? '' : ' − B'} = ${nodes - primal.edges.length / 2 + primal.faces.length / 4 - (flat ? 0 : quality.length)}: the Euler characteristic of the domain.`
+          ? `V − E + F${flat ? '' : ' − B'} = ${String(euler).replace('-', '−')}: the Euler characteristic of the domain.`
           : 'Not valid: see the certificate.',
       };
     }

@@ -116,7 +116,7 @@ function Scrubber() {
       >
         {[4, 12, 40, 120].map((n) => (
           <option key={n} value={n}>
-            {n} per s
+            {n}/s
           </option>
         ))}
       </select>

@@ -86,7 +86,7 @@ export class CameraRig {
     const height = Math.max(80, this.size.height - top - bottom);
     // The field of view spans the canvas's height; the subject has to fit into the part of it that is free.
     const share = Math.min(width, height) / this.size.height;
-    const margin = flat ? 1 : 1.08 / Math.cos(Math.atan(halfField));
+    const margin = flat ? 1.1 : 1.08 / Math.cos(Math.atan(halfField));
     const distance = (radius * margin) / (halfField * share);
     return {
       position: center.clone().addScaledVector(direction, distance).toArray(),

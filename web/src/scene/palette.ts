@@ -54,7 +54,7 @@ export const themes: Record<'light' | 'dark', Theme> = {
     ink: hex('#0a0e13'),
     accent: hex('#ffb547'),
     facet: hex('#6f88a3'),
-    line: hex('#d5dee8'),
+    line: hex('#b4c1cf'),
     simplex: hex('#8ea3b8'),
   },
 };

@@ -148,7 +148,7 @@ const stepLayers: Record<Step, Partial<Record<LayerId, number>>> = {
   9: { refined: 1, edges: 1 },
 };
 const stepShrink: Partial<Record<Step, number>> = { 2: 0.9 };
-const stepExplode: Partial<Record<Step, number>> = { 6: 0.22 };
+const stepExplode: Partial<Record<Step, number>> = { 6: 0.12 };
 
 export const shrinkOf = (state: ViewState, step: Step): number => state.shrink ?? stepShrink[step] ?? 1;
 export const explodeOf = (state: ViewState, step: Step): number => state.explode ?? stepExplode[step] ?? 0;

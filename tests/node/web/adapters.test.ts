@@ -1,0 +1,162 @@
+// Layers as the adapters make them, without a picture: what they hold, in which colours, and what is drawn of it.
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Dualblock } from '../../../wasm/dualblock.ts';
+import { displayOf } from '../../../web/src/display/display.ts';
+import type { Model } from '../../../web/src/model/model.ts';
+import { surfacesOfContribution } from '../../../web/src/model/provenance.ts';
+import { makeLayer, paintLayer } from '../../../web/src/scene/adapters.ts';
+import { CellLayer } from '../../../web/src/scene/cell-layer.ts';
+import type { PointLayer, SegmentLayer } from '../../../web/src/scene/instanced-layers.ts';
+import { ModelScene } from '../../../web/src/scene/model-scene.ts';
+import { featurePalette, hardRed, qualityColour, softBlue, themes } from '../../../web/src/scene/palette.ts';
+import { defaultState, type LayerId, type ViewState } from '../../../web/src/state/view-state.ts';
+import { runExample, startCore } from '../support/core.ts';
+
+let core: Dualblock;
+beforeAll(async () => {
+  core = await startCore();
+});
+
+function model(name: string): Model {
+  const result = runExample(core, name);
+  const display = displayOf(result);
+  return {
+    ref: { source: 'example', name },
+    reference: { edgeLength: 0, seed: 0 },
+    title: name,
+    result,
+    display,
+    memory: 0,
+  };
+}
+
+function layer(id: LayerId, of: Model) {
+  const made = makeLayer(id, of, null);
+  if (!made) throw new Error(`there is no ${id}`);
+  paintLayer(id, made.layer, of, null, themes.light);
+  return made;
+}
+
+describe.each(['square_ring', 'double_pyramid', 'pentagon_2d'])('%s', (name) => {
+  it('has as many entities in each layer as the result has', () => {
+    const m = model(name);
+    const { result } = m;
+    const n = result.dimension;
+    const counts: [LayerId, number][] = [
+      ['facets', n === 2 ? 1 : result.domain.facetOffsets.length - 1],
+      ['simplices', result.reference.simplices.length / (n + 1)],
+      ['surfaces', result.contributions.hardCount + result.contributions.softCount],
+      ['cells', result.contributions.cells],
+      ['nodes', result.primal.positions.length / n],
+      ['edges', result.primal.edges.length / 2],
+      ['blocks', result.primal.quality.length],
+    ];
+    for (const [id, count] of counts) expect(layer(id, m).layer.count).toBe(count);
+    expect(makeLayer('refined', m, null)).toBeUndefined();
+  });
+
+  it('has red hard and blue soft contributions, and nodes in the colours of their cells', () => {
+    const m = model(name);
+    const { soft } = m.display.contributions;
+    const hard = layer('hard', m).layer;
+    const blue = layer('soft', m).layer;
+    soft.forEach((isSoft, c) => {
+      expect(isSoft ? blue.colourOf(c) : hard.colourOf(c)).toEqual(isSoft ? softBlue : hardRed);
+    });
+    const cells = layer('cells', m).layer;
+    const nodes = layer('nodes', m).layer;
+    for (let k = 0; k < nodes.count; k++) expect(nodes.colourOf(k)).toEqual(cells.colourOf(k));
+  });
+
+  it('has one colour for each D̄-surface, and the quality’s for each block', () => {
+    const m = model(name);
+    const surfaces = layer('surfaces', m).layer;
+    const colourOf = new Map<number, string>();
+    for (let c = 0; c < surfaces.count; c++) {
+      const first = surfacesOfContribution(m, c)[0]!;
+      const colour = surfaces.colourOf(c).join();
+      expect(colourOf.get(first) ?? colour).toBe(colour);
+      colourOf.set(first, colour);
+    }
+    expect(new Set(colourOf.values()).size).toBe(colourOf.size);
+    const blocks = layer('blocks', m).layer;
+    m.result.primal.quality.forEach((q, b) => {
+      expect(blocks.colourOf(b)).toEqual(qualityColour(q));
+    });
+  });
+});
+
+it('colours curves by their kind', () => {
+  const m = model('square_ring');
+  const curves = layer('curves', m).layer;
+  m.result.features.kind.forEach((kind, c) => {
+    expect(curves.colourOf(c)).toEqual(featurePalette[kind - 1]);
+  });
+});
+
+describe('what is drawn', () => {
+  it('are the faces and lines that can be seen, by counting', () => {
+    const m = model('square_ring'); // 6 x 6 x 2 blocks without a hole of 2 x 2 x 2
+    const blocks = layer('blocks', m).layer as CellLayer;
+    const faces = (): number => blocks.drawn().triangles.length / 6;
+    const lines = (): number => blocks.drawn().lines.length / 2;
+    blocks.show(null, false);
+    expect(faces()).toBe(128);
+    expect(lines()).toBe(2 * 128); // on a closed surface of quadrilaterals
+    blocks.show(null, true);
+    expect(faces()).toBe(64 * 6);
+    expect(lines()).toBe(64 * 12);
+    const one = new Uint8Array(64);
+    one[5] = 1;
+    blocks.show(one, false);
+    expect([faces(), lines()]).toEqual([6, 12]);
+    blocks.show(new Uint8Array(64), false);
+    expect([faces(), lines()]).toEqual([0, 0]);
+  });
+
+  it('are the visible segments and points, with their own numbers', () => {
+    const m = model('tapered_brick');
+    const nodes = layer('nodes', m).layer as PointLayer;
+    const edges = layer('edges', m).layer as SegmentLayer;
+    const mask = new Uint8Array(27);
+    mask[4] = 1;
+    mask[20] = 1;
+    nodes.show(mask);
+    expect([...nodes.shown().entity]).toEqual([4, 20]);
+    expect([...nodes.shown().at]).toEqual(
+      [4, 20].flatMap((k) => [...m.display.nodes.subarray(3 * k, 3 * k + 3)]),
+    );
+    edges.show(null);
+    expect(edges.shown().entity).toHaveLength(54);
+  });
+
+  it('follows the state: layers of the step, scrubbed, filtered, isolated', () => {
+    const m = model('tapered_brick');
+    const scene = new ModelScene(m, themes.light);
+    const shown = (step: ViewState['step'], patch: Partial<ViewState> = {}): Record<string, number> => {
+      scene.apply({ ...defaultState, ...patch }, step);
+      return Object.fromEntries(
+        scene.visible().map(({ id, layer: l }) => {
+          if (l instanceof CellLayer) {
+            const { triangles, cell } = l.drawn();
+            return [id, new Set([...triangles].map((p) => cell[p])).size];
+          }
+          return [id, (l as SegmentLayer | PointLayer).shown().entity.length];
+        }),
+      );
+    };
+    expect(shown(8)).toEqual({ blocks: 8, edges: 54 });
+    expect(shown(7)).toMatchObject({ nodes: 27, edges: 54, facets: 6 });
+    expect(shown(3)).toMatchObject({ hard: 36 });
+    expect(shown(3, { scrub: { hard: 10, soft: null } })).toMatchObject({ hard: 10 });
+    expect(shown(4, { scrub: { hard: 10, soft: null } })).toMatchObject({ hard: 36 });
+    expect(shown(6)).toEqual({ cells: 27 });
+    expect(shown(6, { hidden: [{ kind: 'cell', id: 3 }] })).toEqual({ cells: 26 });
+    expect(shown(6, { isolated: { kind: 'block', id: 0 } })).toEqual({ cells: 8 });
+    expect(shown(8, { isolated: { kind: 'surface', id: 0 } })).toMatchObject({ blocks: 4 });
+    expect(shown(8, { quality: [2, 2] as never })).toMatchObject({ blocks: 0 });
+    expect(shown(8, { solo: { 8: 'nodes' } })).toEqual({ nodes: 27 });
+    expect(shown(5, { surfaces: 'soft' })).toMatchObject({ surfaces: 0 });
+    scene.dispose();
+  });
+});
