@@ -3,12 +3,7 @@ const version = '__VERSION__';
 const files = __FILES__;
 
 addEventListener('install', (event) => {
-  event.waitUntil(
-    caches
-      .open(version)
-      .then((cache) => cache.addAll(files))
-      .then(() => self.skipWaiting()),
-  );
+  event.waitUntil(caches.open(version).then((cache) => cache.addAll(files)));
 });
 
 addEventListener('activate', (event) => {

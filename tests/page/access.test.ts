@@ -88,6 +88,16 @@ describe('by keyboard alone', () => {
     expect(await viewOf(page)).toMatchObject({ slice: { capped: false }, peel: 1, explode: 0.35 });
     await press('Shift+P', 's', 'e');
     expect(await viewOf(page)).toMatchObject({ slice: null, peel: 0, explode: 0 });
+    // The view, turned and zoomed.
+    const cameraOf = (): Promise<string> =>
+      page.evaluate(() => JSON.stringify(dualblock.stage.viewer.rig.state()));
+    const views = [await cameraOf()];
+    for (const key of ['Shift+ArrowLeft', 'Shift+ArrowUp', '+', '-', 'Shift+ArrowRight', 'Shift+ArrowDown']) {
+      await press(key);
+      expect(await cameraOf()).not.toBe(views.at(-1));
+      views.push(await cameraOf());
+    }
+    expect((await viewOf(page)).step).toBe(8);
     // An entity by the list, which mirrors the scene; then isolated, hidden, shown.
     await page.focus('.entities select');
     await press('ArrowDown', 'ArrowDown');

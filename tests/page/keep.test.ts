@@ -3,6 +3,7 @@ import { PNG } from 'pngjs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../wasm/dualblock.ts';
 import { meshWriter } from '../../wasm/io/write-mesh.ts';
+import { viewToFragment } from '../../web/src/state/codec.ts';
 import { extractText } from '../../web/src/state/png.ts';
 import { defaultState, type ViewState } from '../../web/src/state/view-state.ts';
 import { runExample, startCore } from '../node/support/core.ts';
@@ -20,7 +21,7 @@ import {
   usePage,
   viewOf,
 } from './support/page.ts';
-import { difference } from './support/pictures.ts';
+import { colours, difference } from './support/pictures.ts';
 
 const host = usePage();
 let core: Dualblock;
@@ -152,6 +153,33 @@ describe('sharing', () => {
     expect((await viewOf(opened.page)).model).toEqual(defaultState.model);
     expectNoProblems(opened);
     await opened.page.close();
+  });
+
+  it('a link to what is not there says so, over the default example', async () => {
+    const { page } = await host.open({
+      fragment: `#${await viewToFragment({ state: { ...defaultState, model: { source: 'example', name: 'none' } } })}`,
+    });
+    expect(await page.textContent('#error')).toContain('none.json');
+    expect(await page.textContent('#verdict')).toBe('Valid');
+    await page.close();
+  });
+
+  it('a link that names what the model does not have shows the model', async () => {
+    const wild = { kind: 'block', id: 99_999 } as const;
+    for (const kind of ['block', 'contribution', 'curve', 'edge', 'surface', 'simplex', 'element'] as const) {
+      const state = {
+        ...defaultState,
+        step: 6,
+        selection: { ...wild, kind },
+        isolated: { ...wild, kind },
+        hidden: [wild],
+      };
+      const opened = await host.open({ fragment: `#${await viewToFragment({ state: state as ViewState })}` });
+      expect(await opened.page.textContent('#verdict')).toBe('Valid');
+      expect(colours(await canvasShot(opened.page))).toBeGreaterThan(2);
+      expectNoProblems(opened);
+      await opened.page.close();
+    }
   });
 
   it('a link that is entered later is followed', async () => {

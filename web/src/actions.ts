@@ -15,6 +15,10 @@ const plain =
   (key: string) =>
   (e: KeyboardEvent): boolean =>
     e.key.toLowerCase() === key.toLowerCase() && !e.ctrlKey && !e.metaKey && !e.altKey;
+const arrow =
+  (key: string, shift: boolean) =>
+  (e: KeyboardEvent): boolean =>
+    plain(key)(e) && e.shiftKey === shift;
 const control =
   (key: string, shift: boolean) =>
   (e: KeyboardEvent): boolean =>
@@ -86,12 +90,18 @@ function resetView(app: App): void {
 }
 
 export const actions: Action[] = [
-  { id: 'next', label: 'Next step', keys: '→', match: plain('ArrowRight'), run: (app) => move(app, 1) },
+  {
+    id: 'next',
+    label: 'Next step',
+    keys: '→',
+    match: arrow('ArrowRight', false),
+    run: (app) => move(app, 1),
+  },
   {
     id: 'previous',
     label: 'Previous step',
     keys: '←',
-    match: plain('ArrowLeft'),
+    match: arrow('ArrowLeft', false),
     run: (app) => move(app, -1),
   },
   ...steps.map(
@@ -152,6 +162,36 @@ export const actions: Action[] = [
     keys: 'A',
     match: plain('a'),
     run: (app) => app.view.set({ hidden: [], isolated: null }),
+  },
+  ...(
+    [
+      ['left', 'ArrowLeft', '←', -0.15, 0],
+      ['right', 'ArrowRight', '→', 0.15, 0],
+      ['up', 'ArrowUp', '↑', 0, 0.15],
+      ['down', 'ArrowDown', '↓', 0, -0.15],
+    ] as const
+  ).map(
+    ([name, key, sign, x, y]): Action => ({
+      id: `turn ${name}`,
+      label: `Turn the view ${name} (2D: move it)`,
+      keys: `Shift+${sign}`,
+      match: arrow(key, true),
+      run: (app) => app.stage.viewer.rig.turn(x, y),
+    }),
+  ),
+  {
+    id: 'nearer',
+    label: 'Zoom in',
+    keys: '+',
+    match: (e) => e.key === '+' || e.key === '=',
+    run: (app) => app.stage.viewer.rig.zoom(1.15),
+  },
+  {
+    id: 'away',
+    label: 'Zoom out',
+    keys: '−',
+    match: plain('-'),
+    run: (app) => app.stage.viewer.rig.zoom(1 / 1.15),
   },
   {
     id: 'fit',

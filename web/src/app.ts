@@ -52,8 +52,8 @@ export class App {
       this.setUi({ model: this.ui.state.model + 1 });
     });
     const linked = await viewFromFragment(location.hash);
-    if (linked) await this.restore(linked, 'the link');
-    else await this.showFirst();
+    // A link that leads nowhere says so over the default example.
+    if (!linked || !(await this.restore(linked, 'the link'))) await this.showFirst();
     await listed;
     addEventListener('hashchange', async () => {
       const view = await viewFromFragment(location.hash);

@@ -95,6 +95,13 @@ export const figures: Figure[] = [
     view: contributions2d,
   },
   {
+    figure: '9(c)',
+    title: 'Their common dual',
+    caption: 'Four D̄-curves, one along each side, that cross near the corners: one of them in each colour.',
+    example: 'square_2d_second',
+    view: { step: 5 },
+  },
+  {
     figure: '9(d)',
     title: 'The same four blocks',
     caption: 'Whatever the triangles were, the primal is the same: four quadrilaterals.',

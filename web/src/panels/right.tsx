@@ -137,7 +137,11 @@ export function SelectionPanel() {
   const { model } = app;
   if (!model) return null;
   const { dimension } = model.result;
-  const known = selection && selection.id < entityCount(model, selection.kind);
+  const refinement = app.stage.scene?.refinement;
+  const known =
+    selection &&
+    selection.id <
+      (selection.kind === 'element' ? (refinement?.quality.length ?? 0) : entityCount(model, selection.kind));
   return (
     <section aria-labelledby="selection-title" class="selection">
       <h2 id="selection-title">Selection</h2>
@@ -145,7 +149,7 @@ export function SelectionPanel() {
         <>
           <p class="selected">{entityName(selection, dimension)}</p>
           <dl class="counts">
-            {describeEntity(model, selection, app.stage.scene?.refinement?.block).map(([name, value]) => (
+            {describeEntity(model, selection, refinement?.block).map(([name, value]) => (
               <div key={name}>
                 <dt>{name}</dt>
                 <dd>{value}</dd>

@@ -122,6 +122,33 @@ export class CameraRig {
     this.aimAtAll();
   }
 
+  /** By keyboard: turns about what is looked at by angles in radians; in 2D it moves along instead. */
+  turn(left: number, up: number): void {
+    const { camera, subject } = this;
+    const { target } = this.controls;
+    const offset = camera.position.clone().sub(target);
+    if (subject.flat) {
+      const step = new Vector3(-left, up, 0).multiplyScalar(0.5 * offset.length());
+      camera.position.add(step);
+      target.add(step);
+    } else {
+      const axis = camera.up;
+      const polar = offset.angleTo(axis);
+      const wanted = Math.min(Math.PI - 0.01, Math.max(0.01, polar - up));
+      const right = new Vector3().crossVectors(axis, offset).normalize();
+      offset.applyAxisAngle(right, wanted - polar).applyAxisAngle(axis, -left);
+      camera.position.copy(target).add(offset);
+    }
+    this.controls.update();
+  }
+
+  /** By keyboard: goes nearer (over 1) or away (under 1). */
+  zoom(factor: number): void {
+    const { camera, controls } = this;
+    camera.position.sub(controls.target).divideScalar(factor).add(controls.target);
+    controls.update();
+  }
+
   /** Points the camera at the middle of the free part of a viewport. */
   aim({ x, width, height }: Viewport): void {
     const { camera, subject } = this;

@@ -1,6 +1,6 @@
 // The layers of one model, made when they are first seen, and how a view state shows them in a step.
 import { Group, Vector3 } from 'three';
-import type { Model, RefinedDisplay } from '../model/model.ts';
+import { entityCount, type Model, type RefinedDisplay } from '../model/model.ts';
 import { type Related, relate } from '../model/provenance.ts';
 import {
   type Entity,
@@ -9,6 +9,7 @@ import {
   layerIds,
   layerSetting,
   type Step,
+  sameEntity,
   shrinkOf,
   type ViewState,
 } from '../state/view-state.ts';
@@ -64,8 +65,8 @@ export class ModelScene {
   setRefined(refined: RefinedDisplay | null): void {
     this.refined = refined;
     this.drop('refined');
-    this.selection = null; // its counterparts change
-    this.related = null;
+    this.selection = null; // marked anew: its counterparts change
+    this.isolated = null;
   }
 
   get refinement(): RefinedDisplay | null {
@@ -82,8 +83,10 @@ export class ModelScene {
     return this.entries.get(id)?.layer;
   }
 
-  relatedTo(entity: Entity | null): Related | null {
-    return entity ? relate(this.model, entity, this.refined?.block) : null;
+  /** What belongs to an entity; null for none, and for one that the model does not have: links may name any. */
+  private relatedTo(entity: Entity | null): Related | null {
+    const known = entity && entity.id < entityCount(this.model, entity.kind);
+    return known ? relate(this.model, entity, this.refined?.block) : null;
   }
 
   /** Brings the layers into the state of a step; what is to be drawn is visible afterwards. */
@@ -189,8 +192,7 @@ export class ModelScene {
   }
 
   private select(selection: Entity | null): void {
-    const same = this.selection?.kind === selection?.kind && this.selection?.id === selection?.id;
-    if (same && (selection === null) === (this.related === null)) return;
+    if (sameEntity(selection, this.selection)) return;
     this.selection = selection;
     this.related = this.relatedTo(selection);
     for (const [id, { layer }] of this.entries) this.mark(id, layer);
@@ -213,9 +215,9 @@ export class ModelScene {
   }
 
   private isolate(entity: Entity | null): void {
-    if (!entity) this.isolated = null;
-    else if (this.isolated?.entity.kind !== entity.kind || this.isolated.entity.id !== entity.id)
-      this.isolated = { entity, related: this.relatedTo(entity)! };
+    if (entity && sameEntity(entity, this.isolated?.entity ?? null)) return;
+    const related = this.relatedTo(entity);
+    this.isolated = entity && related ? { entity, related } : null;
   }
 
   private entry(id: LayerId): Entry | undefined {
