@@ -1,7 +1,9 @@
 // What the page's build adds to Vite's: a content security policy, the licence, the source, the service worker.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const root = new URL('../../', import.meta.url);
@@ -36,16 +38,34 @@ export const licenceAndSource: Plugin = {
   apply: 'build',
   generateBundle() {
     this.emitFile({ type: 'asset', fileName: 'LICENSE.txt', source: readFileSync(new URL('LICENSE', root)) });
-    const kept = readdirSync(root).filter(
-      (name) => !['node_modules', 'build', 'dist', 'third_party', '.git'].includes(name),
-    );
-    const source = execFileSync('tar', ['-cz', '--exclude=build', ...kept], {
+    const source = execFileSync('tar', ['-cz', '--null', '-T', '-'], {
       cwd: root,
+      input: sourceFiles().join('\0'),
       maxBuffer: 2 ** 28,
     });
     this.emitFile({ type: 'asset', fileName: 'source.tar.gz', source });
   },
 };
+
+/** The files that git tracks, and nothing else that may lie about; where there is no git, all but what is built. */
+function sourceFiles(): string[] {
+  try {
+    const listed = execFileSync('git', ['ls-files', '-z'], {
+      cwd: root,
+      stdio: ['ignore', 'pipe', 'ignore'],
+    });
+    return listed
+      .toString()
+      .split('\0')
+      .filter((name) => name !== '' && existsSync(new URL(encodeURI(name), root)));
+  } catch {
+    const made = ['node_modules', 'build', 'dist', 'third_party', '.git'];
+    return readdirSync(root, { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) => relative(fileURLToPath(root), join(entry.parentPath, entry.name)))
+      .filter((name) => !name.split('/').some((part) => made.includes(part)));
+  }
+}
 
 /** sw.js with the list of everything that the build made, and of the public files. */
 export const serviceWorker: Plugin = {
