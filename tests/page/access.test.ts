@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { qualityColour } from '../../web/src/scene/palette.ts';
 import {
   canvasShot,
   chooseFile,
@@ -18,7 +19,7 @@ import {
   usePage,
   viewOf,
 } from './support/page.ts';
-import { colours, difference } from './support/pictures.ts';
+import { colours, countColour, difference } from './support/pictures.ts';
 
 const host = usePage();
 const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -184,11 +185,15 @@ describe('a phone', () => {
           .map((el) => el.outerHTML.slice(0, 80)),
       );
     expect(await outside()).toEqual([]);
-    for (const tab of ['Explain', 'Selection', 'Model', 'Layers', 'Filters', 'Look']) {
+    for (const tab of ['Selection', 'Explain', 'Model', 'Layers', 'Filters', 'Look']) {
       await page.tap(`.sheet-tabs >> text=${tab}`);
       expect(await outside()).toEqual([]);
+      // The model is still there, above the sheet.
+      await settle(page);
+      const above = await page.screenshot();
+      expect(countColour(above, qualityColour(1), 60)).toBeGreaterThan(100_000);
+      await page.tap(`.sheet-tabs >> text=${tab}`);
     }
-    await page.tap('.sheet-tabs >> text=Look');
     await page.tap('.rail >> text=D̄-cells');
     await settle(page);
     expect((await viewOf(page)).step).toBe(6);

@@ -13,7 +13,7 @@ import './styles/phone.css';
 
 const canvas = document.querySelector('canvas')!;
 const root = document.querySelector('#page')!;
-const narrow = matchMedia('(max-width: 820px)');
+const narrow = matchMedia('(max-width: 820px), (max-height: 480px)');
 const darkness = matchMedia('(prefers-color-scheme: dark)');
 
 function begin(): App {
