@@ -1,5 +1,6 @@
 #include "contributions/given_matching.h"
 
+#include <algorithm>
 #include <bit>
 #include <map>
 
@@ -99,14 +100,19 @@ Contributions<2> givenContributions(const ReferenceMesh<2> &mesh,
   Contributions<2> result;
   result.present.assign(mesh.simplices.size(), 0);
   result.soft.assign(mesh.simplices.size(), 0);
+  std::vector<const GivenContribution *> bySimplex;
+  bySimplex.reserve(contributions.size());
+  for (const GivenContribution &c : contributions) bySimplex.push_back(&c);
+  std::stable_sort(bySimplex.begin(), bySimplex.end(),
+                   [](const auto *a, const auto *b) { return a->simplex < b->simplex; });
+  auto next = bySimplex.begin();
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    for (const GivenContribution &c : contributions) {
-      if (c.simplex != s) continue;
+    for (; next != bySimplex.end() && (*next)->simplex == s; ++next) {
       unsigned mask = 0;
-      for (const Index node : c.nodes) mask |= 1U << mesh.localVertex(s, node);
+      for (const Index node : (*next)->nodes) mask |= 1U << mesh.localVertex(s, node);
       const ContributionSet bit = contributionBit(mask);
       result.present[at(s)] = result.present[at(s)] | bit;
-      if (!c.hard) result.soft[at(s)] = result.soft[at(s)] | bit;
+      if (!(*next)->hard) result.soft[at(s)] = result.soft[at(s)] | bit;
       result.ofSimplex.items.push_back({kNone, static_cast<std::uint8_t>(mask)});
     }
     result.ofSimplex.closeList();

@@ -57,5 +57,22 @@ TEST_F(TwoTriangles, CountsHardOnesAtAVirtualPoint) {
   EXPECT_EQ(check({}), 1U);                                                                     // none
 }
 
+TEST(GivenContributions, AreThoseOfTheMeshWhateverTheirOrder) {
+  ReferenceMesh<2> mesh;
+  mesh.simplices = {{0, 1, 2}, {3, 2, 0}, {0, 3, 4}};
+  const auto c =
+      givenContributions(mesh, {{2, {4}, true}, {0, {1, 0}, true}, {1, {0}, false}, {0, {2}, true}});
+  EXPECT_EQ(c.ofSimplex.offsets, (std::vector<Index>{0, 2, 3, 4}));
+  std::vector<int> masks;
+  for (const Contribution &one : c.ofSimplex.items) {
+    EXPECT_EQ(one.side, kNone);
+    masks.push_back(one.mask);
+  }
+  EXPECT_EQ(masks, (std::vector<int>{0b011, 0b100, 0b100, 0b100}));
+  EXPECT_EQ(c.soft, (std::vector<ContributionSet>{0, contributionBit(0b100), 0}));
+  EXPECT_EQ(c.hardCount, 3);
+  EXPECT_EQ(c.softCount, 1);
+}
+
 } // namespace
 } // namespace dualblock
