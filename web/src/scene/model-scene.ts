@@ -129,6 +129,7 @@ export class ModelScene {
     uniforms.shrink.value = deforms && !(many && state.shrink === null) ? shrinkOf(state, step) : 1;
     uniforms.explode.value = deforms && !(many && state.explode === null) ? explodeOf(state, step) : 0;
     uniforms.origin.value.copy(this.center);
+    uniforms.inked.value = id === 'edges' && step >= 8 ? 1 : 0;
     uniforms.dimmed.value = state.selection ? 1 : 0;
   }
 

@@ -44,6 +44,8 @@ export interface LayerUniforms {
   explode: IUniform<number>;
   origin: IUniform<Vector3>;
   dimmed: IUniform<number>;
+  /** 1: lines are drawn in ink, whatever their colour: on filled cells. */
+  inked: IUniform<number>;
   [name: string]: IUniform;
 }
 
@@ -57,6 +59,7 @@ export const layerUniforms = (layer: number): LayerUniforms => ({
   explode: { value: 0 },
   origin: { value: new Vector3() },
   dimmed: { value: 0 },
+  inked: { value: 0 },
 });
 
 const common = /* glsl */ `
@@ -235,6 +238,7 @@ flat in vec4 first;
 flat in vec4 second;
 in vec3 worldPoint;
 uniform float width;
+uniform float inked;
 ${emission}
 void main() {
   cutAway(worldPoint);
@@ -246,7 +250,7 @@ void main() {
     float period = (4. * width) * pixelRatio;
     if (mod(along.x, period) > .62 * period) discard;
   }
-  emit(emphasised(first.rgb, floor(first.a * 255. + .5), id), id);
+  emit(emphasised(mix(first.rgb, ink, inked), floor(first.a * 255. + .5), id), id);
 }
 `;
 
