@@ -187,7 +187,7 @@ export class App {
       if (!response.ok) throw new Error(String(response.status));
       const answer = await this.core.unpack(new Uint8Array(await response.arrayBuffer()));
       const ref: ModelRef = { source: 'example', name: firstExample };
-      this.accept(ref, this.view.state.reference, answer.result.title, answer, {}, true);
+      this.enter(this.remember(ref, defaultState.reference, answer.result.title, answer), {}, false, true);
     } catch {
       await this.openExample(firstExample);
     }
@@ -208,60 +208,64 @@ export class App {
     patch: Partial<ViewState>,
     keepView = false,
   ): Promise<boolean> {
+    const model = await this.compute(ref, patch.reference ?? defaultState.reference, title, read);
+    if (model) this.enter(model, patch, keepView);
+    return model !== null;
+  }
+
+  /** A model, run or remembered; null where that failed, which is said, or something else was asked for meanwhile. */
+  private async compute(
+    ref: ModelRef,
+    reference: Reference,
+    title: string,
+    read: () => Promise<Uint8Array>,
+  ): Promise<Model | null> {
     const turn = ++this.turn;
     this.core.cancel();
-    const reference = patch.reference ?? defaultState.reference;
-    const known = this.models.get(this.key(ref, reference));
-    if (known) {
-      this.setUi({ busy: null, problem: null });
-      this.enter(known, patch, false, keepView);
-      return true;
-    }
-    this.setUi({ busy: { title, stage: 'reading', done: 0 }, problem: null });
     this.showProblem(false);
+    const known = this.models.get(this.key(ref, reference));
+    this.setUi({ busy: known ? null : { title, stage: 'reading', done: 0 }, problem: null });
+    if (known) return known;
     try {
       const bytes = await read();
-      if (turn !== this.turn) return false;
-      if (ref.source === 'file') formatOf(ref.name);
+      if (turn !== this.turn) return null;
       const name = ref.source === 'example' ? `${ref.name}.json` : ref.name;
+      formatOf(name);
       const answer = await this.core.run(name, bytes, reference, (stage, done) => {
         if (turn === this.turn) this.setUi({ busy: { title, stage, done } });
       });
-      if (turn !== this.turn) return false;
+      if (turn !== this.turn) return null;
       this.setUi({ busy: null });
-      this.accept(ref, reference, answer.result.title || title, answer, patch, false, keepView);
-      return true;
+      return this.remember(ref, reference, answer.result.title || title, answer);
     } catch (error) {
-      if (turn !== this.turn) return false;
+      if (turn !== this.turn) return null;
       this.setUi({ busy: null });
       const known = error instanceof DualblockError;
-      return this.fail(title, {
+      this.fail(title, {
         code: known ? error.code : 'fileUnreadable',
         message: error instanceof Error ? error.message : String(error),
         entities: known ? error.entities : [],
         given: known ? error.given : undefined,
       });
+      return null;
     }
   }
 
-  private accept(
+  private remember(
     ref: ModelRef,
     reference: Reference,
     title: string,
     { result, display, memory }: RunAnswer,
-    patch: Partial<ViewState>,
-    silent: boolean,
-    keepView = false,
-  ): void {
+  ): Model {
     const model: Model = { ref, reference, title, result, display, memory };
     this.models.set(this.key(ref, reference), model);
     const oldest = this.models.keys().next().value;
     if (this.models.size > cachedModels && oldest !== undefined) this.models.delete(oldest);
-    this.enter(model, patch, silent, keepView);
+    return model;
   }
 
   /** Makes a model the shown one: its own view, with the look that was chosen. */
-  private enter(model: Model, patch: Partial<ViewState>, silent: boolean, keepView: boolean): void {
+  private enter(model: Model, patch: Partial<ViewState>, keepView: boolean, silent = false): void {
     this.model = model;
     const { state } = this.view;
     const { theme, projection, occlusion, layers } = state;
@@ -294,39 +298,19 @@ export class App {
     const wrong =
       shown && (!sameModel(now.model, shown.ref) || !sameReference(now.reference, shown.reference));
     if (wrong) {
-      const known = this.models.get(this.key(now.model, now.reference));
-      if (known) {
-        this.model = known;
-        this.stage.setModel(known);
-        this.stage.refresh();
-        this.setUi({ model: this.ui.state.model + 1, problem: null });
-      } else void this.rerun(now);
+      void this.rerun(now);
       return;
     }
     this.stage.update(now, before);
   }
 
-  private async rerun(state: ViewState): Promise<void> {
-    const turn = ++this.turn;
-    this.core.cancel();
-    this.setUi({ busy: { title: state.model.name, stage: 'reading', done: 0 }, problem: null });
-    try {
-      const bytes = await this.bytesOf(state.model);
-      const name = state.model.source === 'example' ? `${state.model.name}.json` : state.model.name;
-      const answer = await this.core.run(name, bytes, state.reference);
-      if (turn !== this.turn) return;
-      const { result, display, memory } = answer;
-      const title = result.title || state.model.name;
-      this.model = { ref: state.model, reference: state.reference, title, result, display, memory };
-      this.models.set(this.key(state.model, state.reference), this.model);
-      this.setUi({ busy: null, model: this.ui.state.model + 1 });
-      this.stage.setModel(this.model);
-      this.stage.refresh();
-    } catch (error) {
-      if (turn !== this.turn) return;
-      this.setUi({ busy: null });
-      this.fail(state.model.name, { code: 'internal', message: String(error) });
-    }
+  private async rerun({ model: ref, reference }: ViewState): Promise<void> {
+    const model = await this.compute(ref, reference, ref.name, () => this.bytesOf(ref));
+    if (!model) return;
+    this.model = model;
+    this.stage.setModel(model);
+    this.stage.refresh();
+    this.setUi({ model: this.ui.state.model + 1 });
   }
 
   private key(ref: ModelRef, { edgeLength, seed }: Reference): string {
