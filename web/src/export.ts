@@ -1,5 +1,5 @@
 // What leaves the page: pictures, meshes, what is seen as glTF, reports.
-import { summarize } from '../../wasm/report.ts';
+import { makeReport, summarize } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
 import type { App } from './app.ts';
 import type { Model } from './model/model.ts';
@@ -20,7 +20,7 @@ const baseName = ({ result, title }: Model): string =>
   (result.name || title || 'domain').replace(/[^\w.-]+/g, '_').slice(0, 80);
 
 /** The picture as a PNG that holds the view; see readers in app.ts. */
-export async function picture(app: App, scale: number, transparent: boolean): Promise<Blob> {
+async function picture(app: App, scale: number, transparent: boolean): Promise<Blob> {
   const blob = await app.stage.viewer.picture(scale, transparent);
   const bytes = embedText(new Uint8Array(await blob.arrayBuffer()), viewToJson(app.saved()));
   return new Blob([bytes], { type: 'image/png' });
@@ -89,7 +89,6 @@ export const exporters: Exporter[] = [
     hint: 'counts, certificate, quality; as from the command line',
     allowed: any,
     save: async (app) => {
-      const { makeReport } = await import('../../wasm/report.ts');
       const model = app.model!;
       const report = makeReport(model.result, { ...defaultSettings, ...model.reference }, model.memory);
       download(new Blob([JSON.stringify(report, null, 1)]), `${baseName(model)}-report.json`);

@@ -19,7 +19,6 @@ export class Stage {
   private marks: ReturnType<typeof markLayers> | null = null;
   private problem: Problem | null = null;
   private handle: SliceHandle | null = null;
-  private handleWanted = false;
   private refining: { scene: ModelScene; intervals: number } | null = null;
   private timer = 0;
 
@@ -174,8 +173,7 @@ export class Stage {
 
   private async placeHandle(): Promise<void> {
     const { slice } = this.app.view.state;
-    this.handleWanted = slice !== null;
-    if (this.handleWanted && !this.handle) {
+    if (slice && !this.handle) {
       const { SliceHandle: Handle } = await import('./scene/slice-handle.ts');
       this.handle ??= new Handle(this.viewer, (offset) => {
         const { slice: now } = this.app.view.state;

@@ -82,23 +82,24 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
       if (contributions.pieceCell[contributions.pieceOfClass[c]!] === cell) return true;
     return false;
   };
-  const addLayer = (surface: number): void => {
-    out.surface.add(surface);
+  /** The layers of some D̄-surfaces, in one pass over everything. */
+  const addLayers = (surfaces: ReadonlySet<number>): void => {
+    for (const surface of surfaces) out.surface.add(surface);
     for (let c = 0; c < display.contributions.count; c++)
-      if (surfacesOfContribution(model, c).includes(surface)) {
+      if (surfacesOfContribution(model, c).some((surface) => surfaces.has(surface))) {
         out.contribution.add(c);
         out.simplex.add(display.contributions.simplex[c]!);
       }
     for (let e = 0; e < edgeCount; e++)
-      if (primal.edgeSurface[e] === surface) {
+      if (surfaces.has(primal.edgeSurface[e]!)) {
         out.edge.add(e);
         addCell(primal.edges[2 * e]!);
         addCell(primal.edges[2 * e + 1]!);
       }
     for (let b = 0; b < blockCount; b++)
-      for (let k = 0; k < n; k++) if (surfaceOfBlock(b, k) === surface) out.block.add(b);
+      for (let k = 0; k < n; k++) if (surfaces.has(surfaceOfBlock(b, k))) out.block.add(b);
     for (let side = 0; side < parts.sideTag.length; side++)
-      if (contributions.surfaceOfSide[side] === surface && facetOfSide(model, side) >= 0)
+      if (surfaces.has(contributions.surfaceOfSide[side]!) && facetOfSide(model, side) >= 0)
         out.facet.add(facetOfSide(model, side));
   };
   const addBlock = (b: number): void => {
@@ -152,7 +153,7 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
       blocksAround([a, b]);
     }
     if (out.cell.size === 0) addSimplexCells(s);
-  } else if (kind === 'surface') addLayer(id);
+  } else if (kind === 'surface') addLayers(new Set([id]));
   else if (kind === 'cell' || kind === 'node') {
     addCell(id);
     for (let e = 0; e < edgeCount; e++)
@@ -188,7 +189,7 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
     const surfaces = new Set<number>();
     for (let side = 0; side < parts.sideTag.length; side++)
       if (facetOfSide(model, side) === id) surfaces.add(contributions.surfaceOfSide[side]!);
-    for (const surface of surfaces) addLayer(surface);
+    addLayers(surfaces);
     out.facet = new Set([id]);
   } else if (kind === 'curve') {
     const facets = [result.features.facets[2 * id]!, result.features.facets[2 * id + 1]!];

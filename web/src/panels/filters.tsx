@@ -65,9 +65,7 @@ export function FiltersPanel() {
             />
             <Check
               label="Other side"
-              checked={slice.normal.some(
-                (v, k) => v < 0 && Math.abs(v) === Math.max(...slice.normal.map(Math.abs)) && k >= 0,
-              )}
+              checked={slice.normal.some((v) => v < 0 && -v === Math.max(...slice.normal.map(Math.abs)))}
               onChange={() => {
                 const [x, y, z] = slice.normal;
                 change({ normal: [-x || 0, -y || 0, -z || 0], offset: -slice.offset });

@@ -45,7 +45,8 @@ export function Header() {
   const right = useUi((s) => s.right);
   const dark = useUi((s) => s.dark);
   useUi((s) => s.model);
-  useView((s) => s); // undo and redo follow every change
+  const canUndo = useView(() => app.view.canUndo);
+  const canRedo = useView(() => app.view.canRedo);
   const model = app.model;
   return (
     <header class="bar">
@@ -73,17 +74,12 @@ export function Header() {
         <IconButton label="Share this view" keys="L" onClick={() => app.setUi({ dialog: 'share' })}>
           <Icon name="share" />
         </IconButton>
-        <IconButton label="Undo" keys="Ctrl+Z" disabled={!app.view.canUndo} onClick={() => app.undo()}>
+        <IconButton label="Undo" keys="Ctrl+Z" disabled={!canUndo} onClick={() => app.undo()}>
           <Icon name="undo" />
         </IconButton>
         {!phone && (
           <>
-            <IconButton
-              label="Redo"
-              keys="Shift+Ctrl+Z"
-              disabled={!app.view.canRedo}
-              onClick={() => app.redo()}
-            >
+            <IconButton label="Redo" keys="Shift+Ctrl+Z" disabled={!canRedo} onClick={() => app.redo()}>
               <Icon name="redo" />
             </IconButton>
             <IconButton

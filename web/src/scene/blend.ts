@@ -128,7 +128,6 @@ export class Blender {
 
     const clear = renderer.getClearAlpha();
     renderer.setRenderTarget(sums);
-    renderer.setClearAlpha(0);
     const colour = renderer.getClearColor(this.kept);
     renderer.setClearColor(0, 0);
     renderer.clear();
