@@ -10,6 +10,7 @@ template <int N> struct BlockFace {
   std::array<Index, 1 << (N - 1)> key;   // sorted
   std::array<Index, 1 << (N - 1)> cycle; // around the face
   Index block;
+  int local;  // its number in the block: 2a and 2a + 1 are across axis a, the second one on the corner's side
   Index side; // the side of the part that the face lies on, or kNone for a face towards the part's centre
 };
 
@@ -17,6 +18,7 @@ template <int N> struct BlockFace {
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
   std::vector<Index> boundary;             // of `faces`: those with one block only
+  std::vector<Index> faceOf;               // per block and local number: index in `faces`
   std::vector<std::array<Index, 2>> edges; // sorted node pairs, each once
   std::vector<Index> blocksAtEdge;         // per edge
 };

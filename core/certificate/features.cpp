@@ -43,36 +43,60 @@ double facetArea(const std::vector<Vec<3>> &v, const Facet &f) {
   return glm::length(sum);
 }
 
-/// A boundary edge of the blocks (2D: node) between two facets.
+/// An edge of the blocks (2D: node) where the blocks around it lie between two patches.
 struct Crease {
-  std::array<Index, 2> facets; // ascending
-  std::array<Index, 2> nodes;  // 2D: the node twice
-  bool operator<(const Crease &o) const { return facets != o.facets ? facets < o.facets : nodes < o.nodes; }
+  std::array<Index, 2> keys;  // of the patches and the sides that they are seen from, ascending
+  std::array<Index, 2> nodes; // ascending; 2D: the node twice
+  Index blocks;               // around it, from one patch to the other
+  bool operator<(const Crease &o) const { return keys != o.keys ? keys < o.keys : nodes < o.nodes; }
+  bool operator==(const Crease &o) const { return keys == o.keys && nodes == o.nodes; }
 };
 
+/// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the fan.
 template <int N>
 std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
-  struct Ridge {
-    std::array<Index, 2> nodes;
-    Index facet;
+  const auto key = [&](const BlockFace<N> &face) {
+    return in.mesh.sideKey(in.parts.sides[at(face.side)].tag);
   };
-  std::vector<Ridge> ridges;
-  for (const Index f : complex.boundary) {
-    const BlockFace<N> &face = complex.faces[at(f)];
-    for (std::size_t k = 0; k < face.cycle.size(); ++k) {
-      const Index a = face.cycle[k];
-      const Index b = N == 2 ? a : face.cycle[(k + 1) % face.cycle.size()];
-      ridges.push_back({{std::min(a, b), std::max(a, b)}, facetOf(in, face)});
+  const auto mateOf = [&](Index f) { // the same face, seen from the other block
+    if (f > 0 && complex.faces[at(f - 1)].key == complex.faces[at(f)].key) return f - 1;
+    if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key) return f + 1;
+    return kNone;
+  };
+  const auto holds = [](const BlockFace<N> &face, Index node) {
+    return std::binary_search(face.key.begin(), face.key.end(), node);
+  };
+  std::vector<Crease> creases;
+  for (const BlockFace<N> &start : complex.faces) {
+    if (facetOf(in, start) == kNone) continue;
+    for (std::size_t k = 0; k < start.cycle.size(); ++k) {
+      const Index a = start.cycle[k];
+      const Index b = N == 2 ? a : start.cycle[(k + 1) % start.cycle.size()];
+      Index block = start.block;
+      int from = start.local;
+      Crease crease{{kNone, kNone}, {std::min(a, b), std::max(a, b)}, 0};
+      while (at(crease.blocks) < in.primal.blocks.size()) {
+        ++crease.blocks;
+        Index across = kNone;
+        for (int f = 0; f < 2 * N; ++f) {
+          const Index face = complex.faceOf[at(2 * N * block + f)];
+          if (f != from && holds(complex.faces[at(face)], a) && holds(complex.faces[at(face)], b)) across = face;
+        }
+        if (across == kNone) break;
+        if (facetOf(in, complex.faces[at(across)]) != kNone) {
+          crease.keys = {key(start), key(complex.faces[at(across)])};
+          break;
+        }
+        const Index next = mateOf(across);
+        if (next == kNone) break; // no facet where there is no block: checkFacets says so
+        block = complex.faces[at(next)].block;
+        from = complex.faces[at(next)].local;
+      }
+      if (crease.keys[0] < crease.keys[1]) creases.push_back(crease); // each fan is met from both of its ends
     }
   }
-  std::sort(ridges.begin(), ridges.end(), [](const Ridge &a, const Ridge &b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet;
-  });
-  std::vector<Crease> creases;
-  for (std::size_t r = 0; r + 1 < ridges.size(); ++r)
-    if (ridges[r].nodes == ridges[r + 1].nodes && ridges[r].facet != ridges[r + 1].facet)
-      creases.push_back({{ridges[r].facet, ridges[r + 1].facet}, ridges[r].nodes});
   std::sort(creases.begin(), creases.end());
+  creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
   return creases;
 }
 
@@ -138,33 +162,24 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
 
   // Curves: the creases of the blocks between two facets have the length of the domain's curves there.
   const std::vector<Crease> creases = findCreases(in, complex);
-  std::vector<Index> blocksAtNode(at(in.primal.nodeCount), 0);
-  for (const Block<N> &b : in.primal.blocks)
-    for (const Index v : b.nodes) ++blocksAtNode[at(v)];
-  const auto blocksAt = [&](const Crease &c) {
-    if constexpr (N == 2) return blocksAtNode[at(c.nodes[0])];
-    const auto e = std::lower_bound(complex.edges.begin(), complex.edges.end(), c.nodes);
-    return complex.blocksAtEdge[static_cast<std::size_t>(e - complex.edges.begin())];
+  const auto keysOf = [&](const Curve<N> &curve) {
+    return sortedPair(in.mesh.sideKey(in.features.sides[at(curve.sides[0])].tag),
+                      in.mesh.sideKey(in.features.sides[at(curve.sides[1])].tag));
   };
-  const auto facetsOf = [&](const Curve<N> &curve) {
-    const Index a = FaceTag::surface(in.features.sides[at(curve.sides[0])].tag);
-    const Index b = FaceTag::surface(in.features.sides[at(curve.sides[1])].tag);
-    return std::array<Index, 2>{std::min(a, b), std::max(a, b)};
-  };
-  std::vector<std::pair<std::array<Index, 2>, double>> lengths; // per pair of facets: of the domain's curves
+  std::vector<std::pair<std::array<Index, 2>, double>> lengths; // per pair of keys: of the domain's curves
   for (const Curve<N> &curve : in.features.curves) {
     double length = 0;
     for (const auto &ridge : curve.ridges) {
       if constexpr (N == 2) length += 1;
       else length += glm::length(in.featureNodes[at(ridge[1])] - in.featureNodes[at(ridge[0])]);
     }
-    const auto facets = facetsOf(curve);
-    const auto first = std::lower_bound(creases.begin(), creases.end(), Crease{facets, {kNone, kNone}});
+    const auto keys = keysOf(curve);
+    const auto first = std::lower_bound(creases.begin(), creases.end(), Crease{keys, {kNone, kNone}, 0});
     Index actual = 0;
-    for (auto c = first; c != creases.end() && c->facets == facets; ++c)
-      actual = actual == 0 ? blocksAt(*c) : std::min(actual, blocksAt(*c));
+    for (auto c = first; c != creases.end() && c->keys == keys; ++c)
+      actual = actual == 0 ? c->blocks : std::min(actual, c->blocks);
     certificate.features.push_back({idealBlocks(curve.angle), actual});
-    lengths.emplace_back(facets, length);
+    lengths.emplace_back(keys, length);
   }
   std::sort(lengths.begin(), lengths.end());
   for (std::size_t begin = 0, end = 0; begin < lengths.size(); begin = end) {
@@ -172,12 +187,13 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
     for (; end < lengths.size() && lengths[end].first == lengths[begin].first; ++end)
       wanted += lengths[end].second;
     double made = 0;
-    const std::array<Index, 2> facets = lengths[begin].first;
-    for (auto c = std::lower_bound(creases.begin(), creases.end(), Crease{facets, {kNone, kNone}});
-         c != creases.end() && c->facets == facets; ++c)
+    const std::array<Index, 2> keys = lengths[begin].first;
+    for (auto c = std::lower_bound(creases.begin(), creases.end(), Crease{keys, {kNone, kNone}, 0});
+         c != creases.end() && c->keys == keys; ++c)
       made += N == 2
                   ? 1
                   : glm::length(in.primal.positions[at(c->nodes[1])] - in.primal.positions[at(c->nodes[0])]);
+    const std::array<Index, 2> facets{keys[0] / 2, keys[1] / 2};
     if (!(std::abs(made - wanted) <= 1e-9 * in.mesh.size + 4 * in.facetDeviation))
       certificate.fail(Check::features,
                        "the curve between facets " + std::to_string(facets[0]) + " and " +

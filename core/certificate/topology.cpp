@@ -113,13 +113,14 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
   std::vector<std::array<Index, 2>> edges;
   for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
     const Block<N> &block = in.primal.blocks[at(b)];
-    for (int f = 0; f < 2 * N; ++f) { // faces 2a and 2a + 1 are across axis a, the second one on the side
+    for (int f = 0; f < 2 * N; ++f) {
       BlockFace<N> face;
       for (std::size_t k = 0; k < face.cycle.size(); ++k)
         face.cycle[k] = block.nodes[at(N == 3 ? kFaces[f][k] : kQuadSides[f][k])];
       face.key = face.cycle;
       std::sort(face.key.begin(), face.key.end());
       face.block = b;
+      face.local = f;
       face.side = f % 2 == 1 ? block.sides[at(f / 2)] : kNone;
       complex.faces.push_back(face);
     }
@@ -131,6 +132,9 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
   std::sort(complex.faces.begin(), complex.faces.end(), [](const BlockFace<N> &a, const BlockFace<N> &b) {
     return a.key != b.key ? a.key < b.key : a.block < b.block;
   });
+  complex.faceOf.resize(complex.faces.size());
+  for (std::size_t f = 0; f < complex.faces.size(); ++f)
+    complex.faceOf[at(2 * N * complex.faces[f].block + complex.faces[f].local)] = toIndex(f);
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
     const bool before = f > 0 && complex.faces[f - 1].key == complex.faces[f].key;
     const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;

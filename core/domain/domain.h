@@ -14,6 +14,7 @@ namespace dualblock {
 /// of two vertices, a segment with the domain on its left.
 struct Facet {
   std::vector<std::vector<Index>> loops;
+  bool isInterface = false; // two solids share it: the domain lies on both of its sides
 };
 
 template <int N> struct Region {
@@ -42,6 +43,8 @@ template <int N> struct Domain {
   std::vector<Facet> facets;
   std::vector<Vec<N>> holes;
   std::vector<Region<N>> regions;
+  bool isSolid = false; // all that the facets enclose belongs to the domain but what holes take away; else
+                        // shells inside shells are cavities
   std::optional<GivenReference<N>> reference;
   std::vector<GivenContribution> contributions;
 };

@@ -114,6 +114,7 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
     const bool pair = uses[u].nodes == uses[u + 1].nodes && (u == 0 || uses[u - 1].nodes != uses[u].nodes) &&
                       (u + 2 == uses.size() || uses[u + 2].nodes != uses[u].nodes);
     if (!pair || uses[u].forward == uses[u + 1].forward) continue;
+    if (facets[at(uses[u].facet)].isInterface != facets[at(uses[u + 1].facet)].isInterface) continue;
     neighbours[at(uses[u].facet)].push_back(uses[u + 1].facet);
     neighbours[at(uses[u + 1].facet)].push_back(uses[u].facet);
   }
@@ -167,7 +168,7 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
       continue;
     }
     for (const Index f : group) merged.facetOfGiven[at(f)] = toIndex(merged.facets.size());
-    merged.facets.push_back({std::move(loops)});
+    merged.facets.push_back({std::move(loops), facets[at(group[0])].isInterface});
   }
   return merged;
 }

@@ -11,7 +11,6 @@ template <int N> struct PreparedDomain {
   std::vector<Index> givenVertex;   // per vertex: its index in the input
   std::vector<Index> facetOfGiven;  // per facet of the input: the merged facet it went into
   double deviation = 0;             // of facet corners from their facet's plane, at most
-  bool shellsAreClosed = true;      // every edge belongs to exactly two facets
   std::vector<std::string> repairs; // what was changed, each unambiguous, in words
 };
 

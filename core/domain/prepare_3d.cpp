@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "domain/merge_facets.h"
@@ -12,9 +13,8 @@ namespace {
 /// Facets that the input itself calls planar may be off by this many tolerances: files often hold six digits.
 constexpr double kGivenSlack = 10;
 
-std::vector<EntityRef> facetEntity(std::size_t f) { return {{"facet", static_cast<std::int64_t>(f)}}; }
-
-std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
+/// given: per facet, its number in the input.
+std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Index> &given, double tolerance) {
   if (domain.facets.size() < 4)
     return Error{ErrorCode::tooFewFacets,
                  "The domain has " + std::to_string(domain.facets.size()) +
@@ -22,12 +22,13 @@ std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
                  {}};
   std::set<std::vector<Index>> seen;
   for (std::size_t f = 0; f < domain.facets.size(); ++f) {
-    const std::string name = "Facet " + std::to_string(f);
+    const std::string name = "Facet " + std::to_string(given[f]);
+    const std::vector<EntityRef> culprit{{"facet", given[f]}};
     std::vector<Index> corners;
     for (const auto &loop : domain.facets[f].loops) {
       if (loop.size() < 3)
         return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.",
-                     facetEntity(f)};
+                     culprit};
       corners.insert(corners.end(), loop.begin(), loop.end());
     }
     std::sort(corners.begin(), corners.end());
@@ -35,7 +36,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
       return Error{ErrorCode::degenerateFacet,
                    name + " uses vertex " + std::to_string(*twice) +
                        " twice: give each loop its corners once.",
-                   facetEntity(f)};
+                   culprit};
     const Vec<3> area = areaVector(domain.vertices, domain.facets[f]);
     double perimeter = 0;
     for (const auto &loop : domain.facets[f].loops)
@@ -45,10 +46,10 @@ std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
     if (!(glm::length(area) > tolerance * perimeter))
       return Error{ErrorCode::degenerateFacet,
                    name + " has no area: remove it, and join the facets on both sides of it.",
-                   facetEntity(f)};
+                   culprit};
     if (!seen.insert(corners).second)
       return Error{ErrorCode::duplicateFacet,
-                   name + " has the same corners as an earlier facet: remove one of them.", facetEntity(f)};
+                   name + " has the same corners as an earlier facet: remove one of them.", culprit};
     const double off =
         deviation<3>(domain.vertices, domain.facets[f], facetPlane<3>(domain.vertices, domain.facets[f]));
     if (off > kGivenSlack * tolerance)
@@ -56,7 +57,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, double tolerance) {
                    name + " is not planar: a corner lies " + formatNumber(off) +
                        " off its plane, more than the " + formatNumber(kGivenSlack * tolerance) +
                        " allowed. Triangulate it, or raise the tolerance.",
-                   facetEntity(f)};
+                   culprit};
   }
   return std::nullopt;
 }
@@ -88,6 +89,49 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
       for (Index &v : loop) v = first[at(v)];
 }
 
+/// Drops what equal points leave no doubt about: triangles that lost a corner when equal vertices were merged,
+/// and the second of two facets that are the same but turned over, which is how solids that share a facet are
+/// given. Returns, per facet of the input, its new number or kNone.
+std::vector<Index> dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<3> &given) {
+  const auto cycleOf = [](std::vector<Index> loop) {
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    return loop;
+  };
+  std::vector<Index> number(given.facets.size(), kNone);
+  std::map<std::vector<Index>, Index> known; // loops, as a cycle from the lowest corner
+  std::vector<Facet> kept;
+  Index collapsed = 0;
+  Index shared = 0;
+  for (std::size_t f = 0; f < number.size(); ++f) {
+    const Facet &facet = prepared.domain.facets[f];
+    if (facet.loops.size() == 1) {
+      const std::vector<Index> &loop = facet.loops[0];
+      const std::vector<Index> &old = given.facets[f].loops[0];
+      if (loop.size() == 3 && std::set(loop.begin(), loop.end()).size() < std::set(old.begin(), old.end()).size()) {
+        ++collapsed;
+        continue;
+      }
+      const auto back = loop.empty() ? known.end() : known.find(cycleOf({loop.rbegin(), loop.rend()}));
+      if (back != known.end() && !kept[at(back->second)].isInterface) {
+        kept[at(back->second)].isInterface = true;
+        number[f] = back->second;
+        ++shared;
+        continue;
+      }
+      if (!loop.empty()) known.emplace(cycleOf(loop), toIndex(kept.size()));
+    }
+    number[f] = toIndex(kept.size());
+    kept.push_back(facet);
+  }
+  prepared.domain.facets = std::move(kept);
+  if (collapsed > 0)
+    prepared.repairs.push_back(std::to_string(collapsed) + " triangles with two corners at one point were dropped");
+  if (shared > 0)
+    prepared.repairs.push_back(std::to_string(shared) +
+                               " facets that two solids share, given by both, were taken once");
+  return number;
+}
+
 /// Puts each facet's largest loop first and turns the others against it, as holes run.
 void orientHoleLoops(PreparedDomain<3> &prepared) {
   const auto loopArea = [&](const std::vector<Index> &loop) {
@@ -109,8 +153,8 @@ void orientHoleLoops(PreparedDomain<3> &prepared) {
   if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " hole loops were turned round");
 }
 
-/// Every edge must belong to at least two facets. Sets shellsAreClosed.
-std::optional<Error> checkClosed(PreparedDomain<3> &prepared) {
+/// Every edge must belong to at least two facets.
+std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<Index> &given) {
   const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
@@ -119,21 +163,22 @@ std::optional<Error> checkClosed(PreparedDomain<3> &prepared) {
           ErrorCode::openBoundary,
           "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
               " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
-              std::to_string(uses[begin].facet) +
+              std::to_string(given[at(uses[begin].facet)]) +
               " only. Close the gap, or merge vertices that should be one.",
-          {{"facet", uses[begin].facet}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
-    if (end - begin != 2) prepared.shellsAreClosed = false;
+          {{"facet", given[at(uses[begin].facet)]}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
   }
   return std::nullopt;
 }
 
 /// Makes neighbours run through their common edge in opposite directions, shell by shell, turning as few
-/// facets as possible. Only meaningful where every edge has two facets.
+/// facets as possible. Edges of more than two facets bind nobody.
 void orientShells(PreparedDomain<3> &prepared) {
   std::vector<Facet> &facets = prepared.domain.facets;
   const std::vector<EdgeUse> uses = edgeUses(facets);
   std::vector<std::vector<std::pair<Index, bool>>> neighbours(facets.size()); // facet, agrees
-  for (std::size_t u = 0; u + 1 < uses.size(); u += 2) {
+  for (std::size_t u = 0, end = 0; u < uses.size(); u = end) {
+    while (end < uses.size() && uses[end].nodes == uses[u].nodes) ++end;
+    if (end - u != 2) continue;
     const bool agrees = uses[u].forward != uses[u + 1].forward;
     neighbours[at(uses[u].facet)].emplace_back(uses[u + 1].facet, agrees);
     neighbours[at(uses[u + 1].facet)].emplace_back(uses[u].facet, agrees);
@@ -170,14 +215,19 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   PreparedDomain<3> prepared;
   prepared.domain = given;
   mergeEqualVertices(prepared);
+  const std::vector<Index> kept = dropRepeatedFacets(prepared, given);
+  std::vector<Index> givenFacet;
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (kept[f] == toIndex(givenFacet.size())) givenFacet.push_back(toIndex(f));
   orientHoleLoops(prepared);
-  if (auto error = checkFacets(prepared.domain, allowed)) return *error;
-  if (auto error = checkClosed(prepared)) return *error;
-  if (prepared.shellsAreClosed) orientShells(prepared);
+  if (auto error = checkFacets(prepared.domain, givenFacet, allowed)) return *error;
+  if (auto error = checkClosed(prepared, givenFacet)) return *error;
+  orientShells(prepared);
   MergedFacets merged = mergeCoplanar(given.vertices, prepared.domain.facets, allowed);
   dropStraightVertices(given.vertices, merged.facets, allowed);
   prepared.domain.facets = std::move(merged.facets);
-  prepared.facetOfGiven = std::move(merged.facetOfGiven);
+  for (const Index f : kept)
+    prepared.facetOfGiven.push_back(f == kNone ? kNone : merged.facetOfGiven[at(f)]);
   for (const Facet &facet : prepared.domain.facets)
     prepared.deviation = std::max(prepared.deviation,
                                   deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));

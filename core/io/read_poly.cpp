@@ -23,6 +23,7 @@ public:
     if (scanner_.nextLine()) readHoles(); // TetGen does without both lists, too
     if (scanner_.nextLine()) readRegions();
     scanner_.needEnd("entry");
+    domain_.isSolid = true; // the format's own rule: only its holes take away
     return std::move(domain_);
   }
 

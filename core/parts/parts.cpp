@@ -250,7 +250,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
     for (int k = 0; k < N + 1; ++k) {
       if (k == i) continue;
       const FaceRef<N> mate = boundary.faces[at(boundary.mates[f][k])];
-      if (mesh.tags[at(s)][i] == mesh.tags[at(mate.simplex)][mate.face])
+      if (mesh.sideKey(mesh.tags[at(s)][i]) == mesh.sideKey(mesh.tags[at(mate.simplex)][mate.face]))
         joined.unite(toIndex(f), boundary.mates[f][k]);
     }
   }

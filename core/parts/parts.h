@@ -12,7 +12,7 @@ namespace dualblock {
 /// A maximal smooth piece of a part's boundary.
 struct Side {
   Index part;
-  Index tag;      // the FaceTag that all its faces carry
+  Index tag;      // the FaceTag of its first face; all its faces have the same ReferenceMesh::sideKey
   Index opposite; // the side of the neighbouring part on the same split surface, or kNone
 };
 

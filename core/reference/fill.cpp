@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "base/disjoint_sets.h"
 #include "domain/polygon.h"
 #include "reference/raw_fill.h"
 #include "reference/refine.h"
+#include "reference/unpinch.h"
 
 namespace dualblock {
 namespace {
@@ -32,41 +34,74 @@ template <int N> std::vector<Crossing<N>> crossings(const RawFill<N> &fill, cons
   return found;
 }
 
-/// Which cells belong to the domain: between closed shells by parity, else by the facets' orientation where
-/// that is consistent, else all.
+/// Facets that hang together over edges (2D: vertices). Where an odd number of them meets, they enclose several
+/// regions.
+struct Shells {
+  std::vector<Index> ofFacet;
+  std::vector<bool> isAssembly;
+};
+
+template <int N> Shells findShells(const Domain<N> &domain) {
+  std::vector<std::pair<std::array<Index, 2>, Index>> uses; // (edge, facet)
+  for (std::size_t f = 0; f < domain.facets.size(); ++f)
+    for (const auto &loop : domain.facets[f].loops)
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        uses.push_back({N == 2 ? std::array<Index, 2>{loop[k], loop[k]}
+                               : sortedPair(loop[k], loop[(k + 1) % loop.size()]),
+                        toIndex(f)});
+  std::sort(uses.begin(), uses.end());
+  DisjointSets sets(domain.facets.size());
+  for (std::size_t u = 1; u < uses.size(); ++u)
+    if (uses[u].first == uses[u - 1].first) sets.unite(uses[u].second, uses[u - 1].second);
+  Shells shells;
+  Index count = 0;
+  shells.ofFacet = sets.numbering(count);
+  shells.isAssembly.assign(at(count), false);
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    while (end < uses.size() && uses[end].first == uses[begin].first) ++end;
+    if ((end - begin) % 2 == 1) shells.isAssembly[at(shells.ofFacet[at(uses[begin].second)])] = true;
+  }
+  return shells;
+}
+
+/// Which cells belong to the domain, from the outside in: who crosses a shell from its outer side changes sides,
+/// so that shells inside shells are cavities; within an assembly, and across an interface, nothing changes.
 template <int N>
-std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, Index cellCount,
-                              bool shellsAreClosed) {
-  constexpr int kUnset = -1000;
-  std::vector<int> depth(at(cellCount), kUnset);
-  std::vector<int> winding(at(cellCount), kUnset);
-  bool consistent = true;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const Crossing<N> &c : contacts) {
-      if (c.cell == kNone) continue;
-      const auto visit = [&](Index from, Index to, bool toFront) {
-        const int d = from == kNone ? 0 : depth[at(from)];
-        const int w = from == kNone ? 0 : winding[at(from)];
-        if (to == kNone || d == kUnset) return;
-        const int next = toFront ? w - 1 : w + 1;
-        if (depth[at(to)] == kUnset) {
-          depth[at(to)] = d + 1;
-          winding[at(to)] = next;
-          changed = true;
-        }
-        if (winding[at(to)] != next) consistent = false;
-      };
-      visit(c.neighbor, c.cell, !c.intoFront);
-      visit(c.cell, c.neighbor, c.intoFront);
+std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Domain<N> &domain,
+                              Index cellCount) {
+  const Shells shells = findShells(domain);
+  Lists<Index> ofCell; // facets around each cell, the outside being the last one
+  const auto number = [&](Index cell) { return cell == kNone ? cellCount : cell; };
+  ofCell.offsets.assign(at(cellCount) + 2, 0);
+  for (const Crossing<N> &c : contacts)
+    for (const Index cell : {number(c.cell), number(c.neighbor)}) ++ofCell.offsets[at(cell) + 1];
+  for (std::size_t c = 0; c <= at(cellCount); ++c) ofCell.offsets[c + 1] += ofCell.offsets[c];
+  ofCell.items.resize(at(ofCell.offsets.back()));
+  std::vector<Index> cursor(ofCell.offsets.begin(), ofCell.offsets.end() - 1);
+  for (std::size_t f = 0; f < contacts.size(); ++f)
+    for (const Index cell : {number(contacts[f].cell), number(contacts[f].neighbor)})
+      ofCell.items[at(cursor[at(cell)]++)] = toIndex(f);
+
+  std::vector<bool> inside(at(cellCount) + 1, false);
+  std::vector<bool> known(at(cellCount) + 1, false);
+  std::vector<Index> outerCell(shells.isAssembly.size(), kNone); // from which a shell was reached first
+  std::vector<Index> queue{cellCount};
+  known[at(cellCount)] = true;
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const Index here = queue[head];
+    for (const Index *f = ofCell.begin(here); f != ofCell.end(here); ++f) {
+      const Index there = number(contacts[at(*f)].cell) + number(contacts[at(*f)].neighbor) - here;
+      const std::size_t shell = at(shells.ofFacet[at(*f)]);
+      if (outerCell[shell] == kNone) outerCell[shell] = here;
+      if (known[at(there)]) continue;
+      known[at(there)] = true;
+      const bool changes =
+          !domain.facets[at(*f)].isInterface && (!shells.isAssembly[shell] || outerCell[shell] == here);
+      inside[at(there)] = inside[at(here)] != changes;
+      queue.push_back(there);
     }
   }
-  for (const int w : winding) consistent &= w == 0 || w == 1;
-  std::vector<bool> inside(at(cellCount), true);
-  for (std::size_t c = 0; c < inside.size(); ++c) {
-    if (shellsAreClosed) inside[c] = depth[c] % 2 == 1;
-    else if (consistent) inside[c] = winding[c] == 1;
-  }
+  inside.pop_back();
   return inside;
 }
 
@@ -135,8 +170,10 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
     if (contacts[f].cell == kNone) continue;
     const auto isIn = [&](Index c) { return c != kNone && inside[at(c)]; };
     bool behind = contacts[f].intoFront;
-    // Outer facets: the one side that is in the domain must be behind. Interfaces stay as given.
-    if (isIn(contacts[f].cell) != isIn(contacts[f].neighbor) && behind != isIn(contacts[f].cell)) {
+    // Outer facets: the one side that is in the domain must be behind. Interfaces: the lower-numbered cell.
+    const bool outer = isIn(contacts[f].cell) != isIn(contacts[f].neighbor);
+    const bool wanted = outer ? isIn(contacts[f].cell) : contacts[f].cell < contacts[f].neighbor;
+    if (behind != wanted && contacts[f].cell != contacts[f].neighbor) {
       mesh.surfaces[f].plane = {-mesh.surfaces[f].plane.normal, -mesh.surfaces[f].plane.offset};
       behind = !behind;
     }
@@ -147,7 +184,9 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
   for (std::size_t f = 0; f < fill.facetFaces.size(); ++f) {
     const auto [s, i] = fill.facetFaces[f];
     const std::size_t facet = at(fill.facetOfFace[f]);
-    const bool behind = (cell[at(s)] == contacts[facet].cell) == cellIsBehind[facet];
+    bool behind = (cell[at(s)] == contacts[facet].cell) == cellIsBehind[facet];
+    if (contacts[facet].cell == contacts[facet].neighbor) // a wall inside one cell: only the plane can tell
+      behind = mesh.surfaces[facet].plane.distance(mesh.nodes[at(mesh.simplices[at(s)][i])]) < 0;
     mesh.tags[at(s)][i] = behind ? FaceTag::back(toIndex(facet)) : FaceTag::front(toIndex(facet));
     const Index t = mesh.neighbors[at(s)][i];
     if (t != kNone) mesh.tags[at(t)][mesh.mirrorFace(s, i)] = FaceTag::flipped(mesh.tags[at(s)][i]);
@@ -180,7 +219,20 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   Index cellCount = 0;
   const std::vector<Index> cell = floodUntagged(mesh, cellCount);
   const std::vector<Crossing<N>> contacts = crossings(fill, cell);
-  std::vector<bool> inside = insideCells(contacts, cellCount, options.shellsAreClosed && !domain.reference);
+  std::vector<bool> inside(at(cellCount), true);
+  if (!domain.isSolid && !domain.reference)
+    inside = insideCells(contacts, domain, cellCount);
+  std::vector<Index> regionOfCell(at(cellCount), 0);
+  for (std::size_t r = 0; r < domain.regions.size(); ++r) {
+    const Index s = locate(mesh, domain.regions[r].point);
+    if (s == kNone)
+      return Error{ErrorCode::regionOutside,
+                   "The point of region " + std::to_string(r) + " lies outside the domain: move it inside.",
+                   {{"region", static_cast<std::int64_t>(r)}}};
+    regionOfCell[at(cell[at(s)])] = domain.regions[r].id;
+    inside[at(cell[at(s)])] = true; // who names a region means it to be meshed
+  }
+  for (std::size_t s = 0; s < cell.size(); ++s) mesh.region[s] = regionOfCell[at(cell[s])];
   for (std::size_t h = 0; h < domain.holes.size(); ++h) {
     const Index s = locate(mesh, domain.holes[h]);
     if (s == kNone && !insideBox(domain.vertices, domain.holes[h]))
@@ -192,21 +244,13 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
     if (s == kNone) continue; // a pocket that is open to the outside is empty anyway
     inside[at(cell[at(s)])] = false;
   }
-  for (std::size_t r = 0; r < domain.regions.size(); ++r) {
-    const Index s = locate(mesh, domain.regions[r].point);
-    if (s == kNone)
-      return Error{ErrorCode::regionOutside,
-                   "The point of region " + std::to_string(r) + " lies outside the domain: move it inside.",
-                   {{"region", static_cast<std::int64_t>(r)}}};
-    for (Index t = 0; t < mesh.simplexCount(); ++t)
-      if (cell[at(t)] == cell[at(s)]) mesh.region[at(t)] = domain.regions[r].id;
-  }
   orientFacets(fill, contacts, inside);
   keepInside(fill, inside, cell);
   if (mesh.simplices.empty())
     return Error{ErrorCode::emptyDomain,
                  "Nothing is left of the domain: its holes take away all that it encloses.",
                  {}};
+  unpinch(mesh);
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);
   if (options.seed > 0) splitRandomEdges(mesh, options.seed);
   return Filled<N>{std::move(mesh), std::move(fill.remedy), fill.tetgenMilliseconds, fill.deviation};

@@ -28,7 +28,8 @@ enum class SurfaceKind : std::uint8_t {
 template <int N> struct Surface {
   SurfaceKind kind;
   Index source;
-  Plane<N> plane; // facets: the normal points out of the domain
+  Plane<N> plane; // facets: the normal points out of the domain; interfaces: into the higher-numbered cell
+  Index patch = kNone; // facets that join smoothly have one patch; kNone: the surface is one by itself
 };
 
 /// A face tag names a surface and the side of it that the simplex lies on.
@@ -60,6 +61,12 @@ template <int N> struct ReferenceMesh {
 
   Index simplexCount() const { return toIndex(simplices.size()); }
   Index nodeCount() const { return toIndex(nodes.size()); }
+
+  /// What a side consists of: faces on one patch, seen from one side.
+  Index sideKey(Index tag) const {
+    const Index patch = surfaces[at(FaceTag::surface(tag))].patch;
+    return patch == kNone ? tag : 2 * patch + (tag & 1);
+  }
 
   int localVertex(Index s, Index node) const {
     for (int i = 0; i < kVertices; ++i)

@@ -67,7 +67,6 @@ ReferenceMesh<N> fill(const Domain<N> &domain, double edgeLength = 0, std::uint3
   options.edgeLength = edgeLength;
   options.seed = seed;
   options.planarTolerance = PipelineOptions{}.tolerance;
-  options.shellsAreClosed = prepared.value().shellsAreClosed;
   auto filled = fillDomain(prepared.value().domain, options);
   if (!filled.ok()) throw std::runtime_error(domain.name + ": " + filled.error().message);
   return std::move(filled.value().mesh);
