@@ -220,7 +220,6 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   clock.start("parts", 0.35);
   DecomposeOptions decomposeOptions;
   decomposeOptions.tolerance = 3e-9 * r.mesh.size + 2 * r.domain.deviation;
-  decomposeOptions.flatAngle = 1e-7 + 100 * r.domain.deviation / r.mesh.size;
   decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
   decomposeOptions.blockLimit = [&] {
     const ReferenceMesh<N> *const mesh = needCoarse();

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "parts/features.h"
-#include "reference/plane_cut.h"
+#include "reference/cut.h"
 
 namespace dualblock {
 namespace {
@@ -15,6 +15,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
+// A block cannot fill a flat corner, and badly what is nearly flat.
+constexpr double kLargestAngle = 170 * pi / 180;
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 
@@ -58,12 +60,12 @@ std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Inde
 /// Whether the plane already is a split surface at this ridge.
 template <int N>
 bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane,
-                  double tolerance) {
+                  Index facetSurfaces, double tolerance) {
   bool found = false;
   const auto inspect = [&](Index s) {
     for (int i = 0; i < N + 1; ++i) {
       const Index tag = mesh.tags[at(s)][i];
-      if (tag == kNone || mesh.neighbors[at(s)][i] == kNone) continue;
+      if (tag == kNone || FaceTag::surface(tag) < facetSurfaces) continue;
       bool inPlane = true; // a face in the plane that holds the ridge
       for (int v = 0; v < N + 1; ++v)
         if (v != i)
@@ -76,7 +78,7 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
       found |= inPlane;
     }
   };
-  turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, kCrossAll, inspect);
+  turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, facetSurfaces, inspect);
   return found;
 }
 
@@ -103,7 +105,7 @@ template <int N>
 void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options,
                      Index simplexLimit, Index &cuts) {
   for (const Curve<N> &curve : parts.curves) {
-    if (curve.angle <= pi + options.flatAngle) continue;
+    if (curve.angle <= kLargestAngle) continue;
     if (mesh.simplexCount() > simplexLimit) return;
     const Index f = parts.sides[at(curve.sides[0])].tag;
     const Index g = parts.sides[at(curve.sides[1])].tag;
@@ -120,12 +122,11 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
       if (std::abs(direction - pi) < kSamePlane) plane = mesh.surfaces[at(FaceTag::surface(f))].plane;
       if (std::abs(direction - (curve.angle - pi)) < kSamePlane)
         plane = mesh.surfaces[at(FaceTag::surface(g))].plane;
-      if (isCutAlready(mesh, *ridge, plane, options.tolerance)) continue;
+      if (isCutAlready(mesh, *ridge, plane, options.facetSurfaces, options.tolerance)) continue;
       const Index surface = toIndex(mesh.surfaces.size());
       mesh.surfaces.push_back({SurfaceKind::reflexCut, FaceTag::surface(f), plane});
-      const CutResult result =
-          cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance);
-      if (result.faces > 0) ++cuts;
+      const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
+      if (cutAlong<N>(mesh, surface, {seed}, options.tolerance) > 0) ++cuts;
       else mesh.surfaces.pop_back();
     }
   }
@@ -218,8 +219,8 @@ bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corn
   if (!ridge) return false;
   const Index surface = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back({SurfaceKind::vertexCut, corner.node, plane});
-  if (cutByPlane(mesh, surface, ridge->simplex, ridge->from, ridge->to, options.tolerance).faces > 0)
-    return true;
+  const CutSeed<3> seed{ridge->simplex, ridge->from, ridge->to, kCrossNone};
+  if (cutAlong<3>(mesh, surface, {seed}, options.tolerance) > 0) return true;
   mesh.surfaces.pop_back();
   return false;
 }

@@ -10,7 +10,6 @@ namespace dualblock {
 
 struct DecomposeOptions {
   double tolerance;                   // nodes nearer to a cutting plane than this count as on it
-  double flatAngle = 1e-7;            // radians over 180 degrees that still count as flat
   Index facetSurfaces;                // surfaces below this number are the domain's own facets
   std::function<double()> blockLimit; // give up when the parts would give more blocks than this; asked
                                       // for only where vertices have to be cut

@@ -12,17 +12,17 @@
 
 #include <algorithm>
 
-#include "base/plane.h"
-#include "base/types.h"
+#include "reference/cut_field.h"
 
 namespace dualblock {
 
 /// Where a surface of the decomposed domain comes from.
 enum class SurfaceKind : std::uint8_t {
-  facet,      // the domain's boundary, or an interface between two regions; source = facet
-  reflexCut,  // a plane through a reflex curve; source = the curve's first domain facet
-  vertexCut,  // a plane through a vertex of more than N curves; source = the node
-  simplexFace // the fallback: every inner face of the reference mesh
+  facet,       // the domain's boundary, or an interface between two regions; source = facet
+  reflexCut,   // through a reflex curve; source = the curve's first domain facet
+  vertexCut,   // through a vertex of more than N curves; source = the node
+  simplexFace, // the fallback: every inner face of the reference mesh
+  bentCut      // across bent sides, closed curves and what else is no polytope; source = a domain facet, or kNone
 };
 
 template <int N> struct Surface {
@@ -30,6 +30,8 @@ template <int N> struct Surface {
   Index source;
   Plane<N> plane; // facets: the normal points out of the domain; interfaces: into the higher-numbered cell
   Index patch = kNone; // facets that join smoothly have one patch; kNone: the surface is one by itself
+  std::shared_ptr<const CutField<N>> field{}; // of a bent cut; the plane is then the nearest one
+  bool bent = false;                          // the side is no plane
 };
 
 /// A face tag names a surface and the side of it that the simplex lies on.
@@ -92,11 +94,11 @@ template <int N> struct ReferenceMesh {
   }
 
   /// Unit normal of the tagged face i of s that points out of s: from the surface's plane, never from the
-  /// face itself, which may be a sliver; only the fallback's faces have no other plane than their own.
+  /// face itself, which may be a sliver; only bent cuts and the fallback's faces have no other plane than their own.
   Vec<N> outwardNormal(Index s, int i) const {
     const Index tag = tags[at(s)][i];
     const Surface<N> &surface = surfaces[at(FaceTag::surface(tag))];
-    if (surface.kind == SurfaceKind::simplexFace) return faceNormal(s, i);
+    if (surface.kind == SurfaceKind::simplexFace || surface.field) return faceNormal(s, i);
     return FaceTag::isFront(tag) ? -surface.plane.normal : surface.plane.normal;
   }
 

@@ -1,12 +1,14 @@
-#include "reference/plane_cut.h"
+#include "reference/cut.h"
 
+#include <cmath>
+#include <limits>
 #include <unordered_set>
 
 namespace dualblock {
 namespace {
 
-/// A piece of the section: a simplex that the plane crosses (face = -1), or an inner face that lies in the
-/// plane between a simplex behind it and one in front.
+/// A piece of the section: a simplex that the surface crosses (face = -1), or an inner face that lies in the
+/// surface between a simplex behind it and one in front.
 struct SectionPiece {
   Index simplex;
   int face;
@@ -14,22 +16,40 @@ struct SectionPiece {
 
 template <int N> class Section {
 public:
-  Section(const ReferenceMesh<N> &mesh, const Plane<N> &plane, double tolerance)
-      : mesh_(mesh), plane_(plane), tolerance_(tolerance) {}
+  Section(const ReferenceMesh<N> &mesh, const Surface<N> &surface, double tolerance)
+      : mesh_(mesh), surface_(surface), tolerance_(tolerance) {
+    if (surface.field) known_.assign(mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  double value(Index node) const {
+    if (!surface_.field) return surface_.plane.distance(mesh_.nodes[at(node)]);
+    double &known = known_[at(node)];
+    if (std::isnan(known)) known = surface_.field->value(mesh_.nodes[at(node)]);
+    return known;
+  }
 
   int sign(Index node) const {
-    const double d = plane_.distance(mesh_.nodes[at(node)]);
+    const double d = value(node);
     return d > tolerance_ ? 1 : d < -tolerance_ ? -1 : 0;
   }
 
-  /// Grows the section's component from the simplices around one ridge in the plane.
-  void grow(Index seed, int from, int to) {
-    growAroundRidge(seed, from, to);
+  void addSeed(const CutSeed<N> &seed) {
+    if (seed.from >= 0) {
+      turn(seed.simplex, seed.from, seed.to, seed.crossFrom);
+    } else if (isCrossed(seed.simplex)) {
+      addCrossed(seed.simplex);
+    } else {
+      for (int i = 0; i < N + 1; ++i) addPlaneFace(seed.simplex, i);
+    }
+  }
+
+  /// Grows the section's component from its seeds.
+  void grow() {
     while (!queue_.empty()) {
       const SectionPiece piece = queue_.back();
       queue_.pop_back();
       if (piece.face < 0) growFromSimplex(piece.simplex);
-      else growFromFace(piece.simplex, piece.face);
+      else growAroundPlaneRidges(piece.simplex, piece.face);
     }
   }
 
@@ -75,7 +95,8 @@ private:
     queue_.push_back(behind);
   }
 
-  void growAroundRidge(Index s, int from, int to) {
+  /// Takes what the section has around a ridge, from one wall to the other. Returns the two walls.
+  std::array<FaceRef<N>, 2> turn(Index s, int from, int to, Index crossFrom) {
     const auto visit = [&](Index t) {
       if (isCrossed(t)) {
         addCrossed(t);
@@ -83,9 +104,27 @@ private:
       }
       for (int i = 0; i < N + 1; ++i) addPlaneFaceOnRidge(t, i, s, from, to);
     };
-    const FaceRef<N> stop = turnAroundRidge(mesh_, s, from, to, kCrossAll, visit);
-    if (mesh_.neighbors[at(stop.simplex)][stop.face] == kNone) // an outer ridge: turn the other way too
-      turnAroundRidge(mesh_, s, to, from, kCrossAll, visit);
+    const FaceRef<N> first = turnAroundRidge(mesh_, s, from, to, crossFrom, visit);
+    if (first.simplex == s && first.face == from) return {first, first};
+    return {first, turnAroundRidge(mesh_, s, to, from, crossFrom, visit)};
+  }
+
+  /// Around a ridge in the plane: through the part, and through the part behind where the ridge lies inside a split
+  /// surface. Where two sides meet at the ridge, the cut ends.
+  void growAroundRidge(Index s, int from, int to) {
+    const auto [first, second] = turn(s, from, to, kCrossNone);
+    const Index tag = mesh_.tags[at(first.simplex)][first.face];
+    const Index behind = mesh_.neighbors[at(first.simplex)][first.face];
+    if (tag == kNone || behind == kNone) return;
+    if (mesh_.sideKey(tag) != mesh_.sideKey(mesh_.tags[at(second.simplex)][second.face])) return;
+    const int wall = mesh_.mirrorFace(first.simplex, first.face);
+    for (int k = 0; k < N + 1; ++k) { // the other face of `behind` that holds the ridge
+      if (k == wall) continue;
+      const Index node = mesh_.simplices[at(behind)][k];
+      bool onRidge = false;
+      for (int v = 0; v < N + 1; ++v) onRidge |= v != from && v != to && mesh_.simplices[at(s)][v] == node;
+      if (!onRidge) turn(behind, wall, k, kCrossNone);
+    }
   }
 
   void addPlaneFaceOnRidge(Index t, int i, Index s, int from, int to) {
@@ -116,8 +155,6 @@ private:
     growAroundPlaneRidges(s, -1);
   }
 
-  void growFromFace(Index s, int face) { growAroundPlaneRidges(s, face); }
-
   /// Around every ridge of s, or of its face, that lies in the plane.
   void growAroundPlaneRidges(Index s, int face) {
     const auto &v = mesh_.simplices[at(s)];
@@ -131,8 +168,9 @@ private:
   }
 
   const ReferenceMesh<N> &mesh_;
-  const Plane<N> plane_;
+  const Surface<N> &surface_;
   const double tolerance_;
+  mutable std::vector<double> known_; // a field's values
   std::vector<SectionPiece> queue_;
   std::unordered_set<std::int64_t> seen_; // membership only: no order is taken from it
 };
@@ -140,21 +178,22 @@ private:
 } // namespace
 
 template <int N>
-CutResult cutByPlane(ReferenceMesh<N> &mesh, Index surface, Index seed, int from, int to, double tolerance) {
-  const Plane<N> plane = mesh.surfaces[at(surface)].plane;
-  Section<N> section(mesh, plane, tolerance);
-  section.grow(seed, from, to);
-  CutResult result;
+Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds, double tolerance) {
+  const Surface<N> along = mesh.surfaces[at(surface)];
+  Section<N> section(mesh, along, tolerance);
+  for (const CutSeed<N> &seed : seeds) section.addSeed(seed);
+  section.grow();
+  Index faces = 0;
 
   const auto tagPair = [&](Index behind, int i) {
     const Index front = mesh.neighbors[at(behind)][i];
     if (front == kNone || mesh.tags[at(behind)][i] != kNone) return;
     mesh.tags[at(behind)][i] = FaceTag::back(surface);
     mesh.tags[at(front)][mesh.mirrorFace(behind, i)] = FaceTag::front(surface);
-    ++result.faces;
+    ++faces;
   };
   for (const SectionPiece &piece : section.planeFaces) tagPair(piece.simplex, piece.face);
-  if (section.crossed.empty()) return result;
+  if (section.crossed.empty()) return faces;
 
   std::vector<std::pair<Index, Index>> crossing;
   for (const Index s : section.crossed) {
@@ -168,8 +207,8 @@ CutResult cutByPlane(ReferenceMesh<N> &mesh, Index surface, Index seed, int from
   std::vector<EdgeSplit> splits;
   splits.reserve(crossing.size());
   for (const auto &[a, b] : crossing) {
-    const double da = plane.distance(mesh.nodes[at(a)]);
-    const double db = plane.distance(mesh.nodes[at(b)]);
+    const double da = section.value(a);
+    const double db = section.value(b);
     const Vec<N> x = mesh.nodes[at(a)] + (da / (da - db)) * (mesh.nodes[at(b)] - mesh.nodes[at(a)]);
     splits.push_back({a, b, mesh.nodeCount()});
     mesh.nodes.push_back(x);
@@ -194,11 +233,10 @@ CutResult cutByPlane(ReferenceMesh<N> &mesh, Index surface, Index seed, int from
       if (inPlane && t != kNone && sideOf(t) > 0) tagPair(s, i);
     }
   }
-  result.touched = true;
-  return result;
+  return faces;
 }
 
-template CutResult cutByPlane(ReferenceMesh<2> &, Index, Index, int, int, double);
-template CutResult cutByPlane(ReferenceMesh<3> &, Index, Index, int, int, double);
+template Index cutAlong(ReferenceMesh<2> &, Index, const std::vector<CutSeed<2>> &, double);
+template Index cutAlong(ReferenceMesh<3> &, Index, const std::vector<CutSeed<3>> &, double);
 
 } // namespace dualblock
