@@ -179,6 +179,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   fillOptions.edgeLength = options.edgeLength;
   fillOptions.seed = options.seed;
   fillOptions.planarTolerance = options.tolerance;
+  fillOptions.featureAngle = options.featureAngle;
   auto filled = fillDomain(domain, fillOptions);
   if (!filled.ok()) return nameCulprits(filled.error(), r.domain, options.tolerance);
   r.mesh = std::move(filled.value().mesh);

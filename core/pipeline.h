@@ -15,6 +15,7 @@ struct PipelineOptions {
   double edgeLength = 0;   // of the reference mesh; 0: as coarse as TetGen makes it
   std::uint32_t seed = 0;  // > 0: vary the reference mesh at random
   double tolerance = 1e-6; // of planarity, relative to the domain's size
+  double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 
 /// Called before each stage with its name and the share of the work done, 0 to 1.

@@ -29,6 +29,7 @@ struct Certificate {
   bool valid = true;
   double domainMeasure = 0;           // area or volume, from the domain's facets alone
   double meshMeasure = 0;             // the same of the blocks, exactly integrated
+  bool isExact = true;                // the two agree; where sides are bent, blocks may cut corners
   double worstCoefficient = 0;        // smallest Bezier coefficient over its block's largest
   std::vector<FeatureCount> features; // per domain curve, in the order of CertificateInput::curves
 

@@ -23,6 +23,32 @@ template <int N> struct BlockComplex {
   std::vector<Index> blocksAtEdge;         // per edge
 };
 
+/// An edge of the blocks (2D: node) where the blocks around it lie between two patches.
+struct Crease {
+  std::array<Index, 2> keys;  // of the patches and the sides that they are seen from, ascending
+  std::array<Index, 2> nodes; // ascending; 2D: the node twice
+  Index blocks;               // around it, from one patch to the other
+  bool operator<(const Crease &o) const { return keys != o.keys ? keys < o.keys : nodes < o.nodes; }
+  bool operator==(const Crease &o) const { return keys == o.keys && nodes == o.nodes; }
+};
+
+/// The facet that a block's face lies on, or kNone.
+template <int N> Index facetOf(const CertificateInput<N> &in, const BlockFace<N> &face) {
+  if (face.side == kNone) return kNone;
+  const Index surface = FaceTag::surface(in.parts.sides[at(face.side)].tag);
+  return in.mesh.surfaces[at(surface)].kind == SurfaceKind::facet ? surface : kNone;
+}
+
+/// Sorted. Turns around each edge of each block face on a facet, through the blocks, until another facet ends the fan.
+template <int N>
+std::vector<Crease> findCreases(const CertificateInput<N> &input, const BlockComplex<N> &complex);
+
+/// Whether any facet is part of a bent side: the blocks then only approximate the domain.
+template <int N> bool isBent(const CertificateInput<N> &input) {
+  return std::any_of(input.mesh.surfaces.begin(), input.mesh.surfaces.end(),
+                     [](const Surface<N> &s) { return s.kind == SurfaceKind::facet && s.bent; });
+}
+
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &input);
 
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
@@ -34,6 +60,15 @@ template <int N> void checkGeometry(const CertificateInput<N> &input, Certificat
 template <int N>
 void checkFeatures(const CertificateInput<N> &input, const BlockComplex<N> &complex,
                    Certificate &certificate);
+
+/// Of check 5: the creases are the domain's curves, node by node.
+void checkCurves(const CertificateInput<3> &input, const std::vector<Crease> &creases, double tolerance,
+                 Certificate &certificate);
+void checkCurves(const CertificateInput<2> &input, const std::vector<Crease> &creases, double tolerance,
+                 Certificate &certificate);
+/// Of check 5, where sides are bent: nodes on them lie on their facets, and no part of the boundary meets another.
+void checkBentSides(const CertificateInput<3> &input, const BlockComplex<3> &complex, double tolerance,
+                    Certificate &certificate);
 
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the
 /// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest.

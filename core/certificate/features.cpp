@@ -8,12 +8,6 @@
 namespace dualblock {
 namespace {
 
-template <int N> Index facetOf(const CertificateInput<N> &in, const BlockFace<N> &face) {
-  if (face.side == kNone) return kNone;
-  const Index surface = FaceTag::surface(in.parts.sides[at(face.side)].tag);
-  return in.mesh.surfaces[at(surface)].kind == SurfaceKind::facet ? surface : kNone;
-}
-
 std::uint8_t idealBlocks(double angle) {
   constexpr double kDegree = std::numbers::pi / 180;
   if (angle <= 135 * kDegree) return 1;
@@ -43,63 +37,6 @@ double facetArea(const std::vector<Vec<3>> &v, const Facet &f) {
   return glm::length(sum);
 }
 
-/// An edge of the blocks (2D: node) where the blocks around it lie between two patches.
-struct Crease {
-  std::array<Index, 2> keys;  // of the patches and the sides that they are seen from, ascending
-  std::array<Index, 2> nodes; // ascending; 2D: the node twice
-  Index blocks;               // around it, from one patch to the other
-  bool operator<(const Crease &o) const { return keys != o.keys ? keys < o.keys : nodes < o.nodes; }
-  bool operator==(const Crease &o) const { return keys == o.keys && nodes == o.nodes; }
-};
-
-/// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the fan.
-template <int N>
-std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
-  const auto key = [&](const BlockFace<N> &face) {
-    return in.mesh.sideKey(in.parts.sides[at(face.side)].tag);
-  };
-  const auto mateOf = [&](Index f) { // the same face, seen from the other block
-    if (f > 0 && complex.faces[at(f - 1)].key == complex.faces[at(f)].key) return f - 1;
-    if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key) return f + 1;
-    return kNone;
-  };
-  const auto holds = [](const BlockFace<N> &face, Index node) {
-    return std::binary_search(face.key.begin(), face.key.end(), node);
-  };
-  std::vector<Crease> creases;
-  for (const BlockFace<N> &start : complex.faces) {
-    if (facetOf(in, start) == kNone) continue;
-    for (std::size_t k = 0; k < start.cycle.size(); ++k) {
-      const Index a = start.cycle[k];
-      const Index b = N == 2 ? a : start.cycle[(k + 1) % start.cycle.size()];
-      Index block = start.block;
-      int from = start.local;
-      Crease crease{{kNone, kNone}, {std::min(a, b), std::max(a, b)}, 0};
-      while (at(crease.blocks) < in.primal.blocks.size()) {
-        ++crease.blocks;
-        Index across = kNone;
-        for (int f = 0; f < 2 * N; ++f) {
-          const Index face = complex.faceOf[at(2 * N * block + f)];
-          if (f != from && holds(complex.faces[at(face)], a) && holds(complex.faces[at(face)], b)) across = face;
-        }
-        if (across == kNone) break;
-        if (facetOf(in, complex.faces[at(across)]) != kNone) {
-          crease.keys = {key(start), key(complex.faces[at(across)])};
-          break;
-        }
-        const Index next = mateOf(across);
-        if (next == kNone) break; // no facet where there is no block: checkFacets says so
-        block = complex.faces[at(next)].block;
-        from = complex.faces[at(next)].local;
-      }
-      if (crease.keys[0] < crease.keys[1]) creases.push_back(crease); // each fan is met from both of its ends
-    }
-  }
-  std::sort(creases.begin(), creases.end());
-  creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
-  return creases;
-}
-
 template <int N>
 void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, double tolerance,
                  Certificate &certificate) {
@@ -107,6 +44,7 @@ void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, 
   for (const BlockFace<N> &face : complex.faces) {
     const Index facet = facetOf(in, face);
     if (facet == kNone) continue;
+    if (in.mesh.surfaces[at(facet)].bent) continue; // checkBentSides
     const Plane<N> &plane = in.mesh.surfaces[at(facet)].plane;
     for (const Index v : face.cycle)
       if (std::abs(plane.distance(in.primal.positions[at(v)])) > tolerance)
@@ -124,8 +62,15 @@ void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, 
     const Index surface = FaceTag::surface(side.tag);
     sheets[at(surface)] |= FaceTag::isFront(side.tag) ? 2 : 1;
   }
+  std::vector<bool> straight(covered.size(), true); // facets that end at a bent side lose area to its chords
+  for (std::size_t f = 0; f < covered.size(); ++f) straight[f] = !in.mesh.surfaces[f].bent;
+  for (const Curve<N> &curve : in.features.curves) {
+    std::array<std::size_t, 2> f;
+    for (std::size_t k = 0; k < 2; ++k) f[k] = at(FaceTag::surface(in.features.sides[at(curve.sides[k])].tag));
+    if (in.mesh.surfaces[f[0]].bent || in.mesh.surfaces[f[1]].bent) straight[f[0]] = straight[f[1]] = false;
+  }
   for (std::size_t f = 0; f < covered.size(); ++f) {
-    if (sheets[f] == 0) continue; // the wall of a hole that was taken away on both sides
+    if (sheets[f] == 0 || !straight[f]) continue; // the wall of a hole that was taken away, or no polygon
     const double area = facetArea(in.domain.vertices, in.domain.facets[f]) * (sheets[f] == 3 ? 2 : 1);
     const double allowed = 1e-9 * area + (N == 3 ? tolerance * in.mesh.size : tolerance);
     if (!(std::abs(covered[f] - area) <= allowed))
@@ -140,6 +85,8 @@ template <int N>
 void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
   const double tolerance = 1e-9 * in.mesh.size + 2 * in.facetDeviation;
   checkFacets(in, complex, tolerance, certificate);
+  if constexpr (N == 3)
+    if (isBent(in)) checkBentSides(in, complex, tolerance, certificate);
 
   // Vertices: sort the primal nodes by position and look each vertex up.
   std::vector<Index> byPosition(in.primal.positions.size());
@@ -160,46 +107,20 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
                        {{"vertex", corner.node}});
   }
 
-  // Curves: the creases of the blocks between two facets have the length of the domain's curves there.
   const std::vector<Crease> creases = findCreases(in, complex);
   const auto keysOf = [&](const Curve<N> &curve) {
     return sortedPair(in.mesh.sideKey(in.features.sides[at(curve.sides[0])].tag),
                       in.mesh.sideKey(in.features.sides[at(curve.sides[1])].tag));
   };
-  std::vector<std::pair<std::array<Index, 2>, double>> lengths; // per pair of keys: of the domain's curves
   for (const Curve<N> &curve : in.features.curves) {
-    double length = 0;
-    for (const auto &ridge : curve.ridges) {
-      if constexpr (N == 2) length += 1;
-      else length += glm::length(in.featureNodes[at(ridge[1])] - in.featureNodes[at(ridge[0])]);
-    }
     const auto keys = keysOf(curve);
     const auto first = std::lower_bound(creases.begin(), creases.end(), Crease{keys, {kNone, kNone}, 0});
     Index actual = 0;
     for (auto c = first; c != creases.end() && c->keys == keys; ++c)
       actual = actual == 0 ? c->blocks : std::min(actual, c->blocks);
     certificate.features.push_back({idealBlocks(curve.angle), actual});
-    lengths.emplace_back(keys, length);
   }
-  std::sort(lengths.begin(), lengths.end());
-  for (std::size_t begin = 0, end = 0; begin < lengths.size(); begin = end) {
-    double wanted = 0;
-    for (; end < lengths.size() && lengths[end].first == lengths[begin].first; ++end)
-      wanted += lengths[end].second;
-    double made = 0;
-    const std::array<Index, 2> keys = lengths[begin].first;
-    for (auto c = std::lower_bound(creases.begin(), creases.end(), Crease{keys, {kNone, kNone}, 0});
-         c != creases.end() && c->keys == keys; ++c)
-      made += N == 2
-                  ? 1
-                  : glm::length(in.primal.positions[at(c->nodes[1])] - in.primal.positions[at(c->nodes[0])]);
-    const std::array<Index, 2> facets{keys[0] / 2, keys[1] / 2};
-    if (!(std::abs(made - wanted) <= 1e-9 * in.mesh.size + 4 * in.facetDeviation))
-      certificate.fail(Check::features,
-                       "the curve between facets " + std::to_string(facets[0]) + " and " +
-                           std::to_string(facets[1]) + " is no chain of primal edges",
-                       {{"facet", facets[0]}, {"facet", facets[1]}});
-  }
+  checkCurves(in, creases, tolerance, certificate);
 }
 
 template void checkFeatures(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);

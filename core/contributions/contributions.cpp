@@ -19,9 +19,44 @@ bool faceIsOnSide(const ReferenceMesh<N> &mesh, const Parts<N> &parts, Index s, 
   return found != end && found->simplex == s && found->face == i;
 }
 
+/// Whether an edge between two nodes of the side, within `mask`, is none of the side's: only bent sides have those.
+template <int N>
+bool hasForeignEdge(const ReferenceMesh<N> &mesh, const SideEdges &edges, Index s, Contribution c) {
+  const auto &v = mesh.simplices[at(s)];
+  for (int i = 0; i < N + 1; ++i)
+    for (int k = i + 1; k < N + 1; ++k)
+      if ((c.mask >> i & 1) && (c.mask >> k & 1) && !edges.has(c.side, v[i], v[k])) return true;
+  return false;
+}
+
 } // namespace
 
+template <int N>
+SideEdges::SideEdges(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::vector<bool> &wanted) {
+  for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
+    if (!wanted[at(side)]) continue;
+    for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
+      const auto face = mesh.sortedFace(f->simplex, f->face);
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = a + 1; b < N; ++b) edges_.push_back({side, face[a], face[b]});
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+}
+
+bool SideEdges::has(Index side, Index a, Index b) const {
+  return std::binary_search(edges_.begin(), edges_.end(), std::array<Index, 3>{side, std::min(a, b), std::max(a, b)});
+}
+
+template SideEdges::SideEdges(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<bool> &);
+template SideEdges::SideEdges(const ReferenceMesh<3> &, const Parts<3> &, const std::vector<bool> &);
+
 template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
+  std::vector<bool> bent(parts.sides.size(), false);
+  for (std::size_t side = 0; side < bent.size(); ++side)
+    bent[side] = mesh.surfaces[at(FaceTag::surface(parts.sides[side].tag))].bent && parts.sideFaces.size(toIndex(side)) > 1;
+  const SideEdges bentEdges(mesh, parts, bent);
   Contributions<N> result;
   const std::size_t count = mesh.simplices.size();
   result.ofSimplex.offsets.reserve(count + 1);
@@ -52,6 +87,8 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
       if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {
         result.notFull.push_back({s, c});
         if (size > N) continue;
+      } else if (bent[at(c.side)] && size > 1 && hasForeignEdge(mesh, bentEdges, s, c)) {
+        result.notFull.push_back({s, c});
       }
       const ContributionSet bit = contributionBit(c.mask);
       result.soft[at(s)] = result.soft[at(s)] | (result.present[at(s)] & bit);

@@ -20,6 +20,18 @@ struct NotFull {
   Contribution contribution;
 };
 
+/// Which edges of the mesh are part of which sides.
+class SideEdges {
+public:
+  /// wanted: per side, whether its edges are asked for.
+  template <int N>
+  SideEdges(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::vector<bool> &wanted);
+  bool has(Index side, Index a, Index b) const;
+
+private:
+  std::vector<std::array<Index, 3>> edges_; // side and nodes, ascending
+};
+
 template <int N> struct Contributions {
   Lists<Contribution> ofSimplex;        // per simplex, by side
   std::vector<ContributionSet> present; // per simplex: the masks that occur

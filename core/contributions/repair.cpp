@@ -25,10 +25,6 @@ template <int N> bool onPartBoundary(const Parts<N> &parts, Index node, Index pa
   return found != end && *found < parts.partSides.offsets[at(part) + 1];
 }
 
-template <int N> bool onSide(const Parts<N> &parts, Index node, Index side) {
-  return std::binary_search(parts.nodeSides.begin(node), parts.nodeSides.end(node), side);
-}
-
 /// Splits the inner edges between nodes that `belongs` accepts, in the given simplices; if there are none,
 /// the inner faces likewise, one per simplex.
 template <int N, typename Belongs>
@@ -68,20 +64,38 @@ Index splitBetween(ReferenceMesh<N> &mesh, const std::vector<Index> &simplices, 
 
 template <int N>
 Index repairFullness(ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::vector<NotFull> &notFull) {
-  std::vector<std::pair<Index, Index>> wanted; // (simplex, side), by simplex
-  std::vector<Index> simplices;
-  for (const NotFull &n : notFull) {
-    wanted.emplace_back(n.simplex, n.contribution.side);
-    if (simplices.empty() || simplices.back() != n.simplex) simplices.push_back(n.simplex);
+  std::vector<bool> wanted(parts.sides.size(), false);
+  for (const NotFull &n : notFull) wanted[at(n.contribution.side)] = true;
+  const SideEdges onSide(mesh, parts, wanted);
+  std::vector<std::pair<Index, Index>> edges;
+  for (const auto &[s, c] : notFull)
+    for (int i = 0; i < N + 1; ++i)
+      for (int k = i + 1; k < N + 1; ++k) {
+        if (!(c.mask >> i & 1) || !(c.mask >> k & 1)) continue;
+        const auto [a, b] = sortedPair(mesh.simplices[at(s)][i], mesh.simplices[at(s)][k]);
+        if (!onSide.has(c.side, a, b)) edges.emplace_back(a, b);
+      }
+  const Index before = mesh.nodeCount();
+  if (!edges.empty()) {
+    splitEdges(mesh, std::move(edges));
+    return mesh.nodeCount() - before;
   }
-  const Index nodes = parts.nodeSides.count();
-  return splitBetween(mesh, simplices, [&](Index s, Index node) {
-    if (node >= nodes) return false; // new: inside
-    for (auto w = std::lower_bound(wanted.begin(), wanted.end(), std::pair(s, Index{0}));
-         w != wanted.end() && w->first == s; ++w)
-      if (onSide(parts, node, w->second)) return true;
-    return false;
-  });
+  // All edges are the side's own: a face is not.
+  std::vector<Index> changed;
+  for (const auto &[s, c] : notFull)
+    for (int i = 0; i < N + 1; ++i) {
+      const unsigned face = RegionTables<N>::kFullMask & ~(1U << i);
+      if ((c.mask & face) != face) continue;
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag != kNone && mesh.sideKey(tag) == mesh.sideKey(parts.sides[at(c.side)].tag)) continue;
+      const Index t = mesh.neighbors[at(s)][i];
+      const auto isChanged = [&](Index x) { return std::find(changed.begin(), changed.end(), x) != changed.end(); };
+      if (isChanged(s) || (t != kNone && isChanged(t))) continue;
+      changed.push_back(s);
+      if (t != kNone) changed.push_back(t);
+      splitFace(mesh, FaceRef<N>{s, i});
+    }
+  return mesh.nodeCount() - before;
 }
 
 template <int N>

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "geometry/bent_placement.h"
 #include "geometry/centre.h"
 #include "geometry/jacobian.h"
 
@@ -102,6 +103,7 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
   const Placer<N> placer(mesh, parts);
   primal.positions.clear();
   for (const Index piece : primal.nodePiece) primal.positions.push_back(placer.place(dual.pieces[at(piece)]));
+  if constexpr (N == 3) followBentSides(mesh, parts, dual, primal);
   for (Block<N> &block : primal.blocks) {
     if (signedMeasure<N>(cornersOf<N>(block.nodes, primal.positions)) >= 0) continue;
     std::swap(block.sides[0], block.sides[1]); // mirrored: exchange two axes

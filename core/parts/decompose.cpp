@@ -6,8 +6,10 @@
 #include <optional>
 #include <tuple>
 
+#include "parts/bent_cuts.h"
 #include "parts/features.h"
 #include "reference/cut.h"
+#include "reference/refine.h"
 
 namespace dualblock {
 namespace {
@@ -19,6 +21,7 @@ constexpr double kSamePlane = 1e-7; // radians between directions that count as 
 constexpr double kLargestAngle = 170 * pi / 180;
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
+constexpr int kBentRounds = 200;
 
 template <int N> struct Ridge {
   Index simplex;
@@ -82,23 +85,35 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
   return found;
 }
 
-/// A direction in the first side's plane that points from the curve into the side.
-template <int N> Vec<N> intoSide(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Vec<N> &outward) {
-  const auto &s = mesh.simplices[at(ridge.simplex)];
-  Vec<N> into;
-  Vec<N> origin;
-  if constexpr (N == 2) {
-    origin = mesh.nodes[at(s[3 - ridge.from - ridge.to])];
-    into = {-outward.y, outward.x};
-  } else {
-    std::array<Index, 2> ends;
-    for (int v = 0, m = 0; v < 4; ++v)
-      if (v != ridge.from && v != ridge.to) ends[m++] = s[v];
-    origin = mesh.nodes[at(ends[0])];
-    into = glm::normalize(glm::cross(outward, mesh.nodes[at(ends[1])] - origin));
-  }
-  // `to` is the vertex that the first side's face has besides the ridge.
-  return glm::dot(into, mesh.nodes[at(s[ridge.to])] - origin) < 0 ? -into : into;
+/// The surface through a curve at an angle from its first side, given per ridge: a plane where one holds the whole
+/// curve, else the planes of all ridges. Where it extends a facet it is the facet's own plane, so that neighbouring
+/// curves share it to the last bit.
+template <int N>
+Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, std::size_t sector,
+                          double tolerance) {
+  const auto planeAt = [&](std::size_t k) {
+    const RidgeFrame<N> &frame = curve.frames[k];
+    const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
+    const auto facet = [&](std::size_t side) { return mesh.surfaces[at(FaceTag::surface(frame.tags[side]))].plane; };
+    if (std::abs(direction - pi) < kSamePlane) return facet(0);
+    if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
+    return planeThrough(mesh.nodes[at(curve.ridges[k].front())],
+                        std::sin(direction) * frame.into + std::cos(direction) * frame.outward);
+  };
+  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[0].tags[0]), planeAt(0)};
+  for (const auto &ridge : curve.ridges)
+    for (const Index node : ridge) surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
+  if constexpr (N == 3)
+    if (surface.bent) {
+      std::vector<Segment<N>> segments;
+      std::vector<Plane<N>> planes;
+      for (std::size_t k = 0; k < curve.ridges.size(); ++k) {
+        segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
+        planes.push_back(planeAt(k));
+      }
+      surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
+    }
+  return surface;
 }
 
 template <int N>
@@ -107,26 +122,21 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   for (const Curve<N> &curve : parts.curves) {
     if (curve.angle <= kLargestAngle) continue;
     if (mesh.simplexCount() > simplexLimit) return;
-    const Index f = parts.sides[at(curve.sides[0])].tag;
-    const Index g = parts.sides[at(curve.sides[1])].tag;
     const Index node = curve.ridges.front().front();
     const Index goal = curve.ridges.front().back();
-    for (const double direction : sectorPlanes(curve.angle)) {
+    const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
+    for (std::size_t sector = 0; sector < sectors; ++sector) {
+      const auto [f, g] = curve.frames.front().tags;
+      Surface<N> surface = surfaceThrough(mesh, curve, sector, options.tolerance);
+      if (surface.field) resolve(mesh, *surface.field, options.tolerance);
       const auto ridge = findRidge(mesh, node, goal, f, g, options.facetSurfaces);
       if (!ridge) continue;
-      const Vec<N> outward = mesh.outwardNormal(ridge->simplex, ridge->from);
-      const Vec<N> into = intoSide(mesh, *ridge, outward);
-      const Vec<N> normal = std::sin(direction) * into + std::cos(direction) * outward;
-      Plane<N> plane = planeThrough(mesh.nodes[at(node)], normal);
-      // Extending a facet: take its own plane, so that neighbouring curves share it to the last bit.
-      if (std::abs(direction - pi) < kSamePlane) plane = mesh.surfaces[at(FaceTag::surface(f))].plane;
-      if (std::abs(direction - (curve.angle - pi)) < kSamePlane)
-        plane = mesh.surfaces[at(FaceTag::surface(g))].plane;
-      if (isCutAlready(mesh, *ridge, plane, options.facetSurfaces, options.tolerance)) continue;
-      const Index surface = toIndex(mesh.surfaces.size());
-      mesh.surfaces.push_back({SurfaceKind::reflexCut, FaceTag::surface(f), plane});
+      if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
+        continue;
+      const Index number = toIndex(mesh.surfaces.size());
+      mesh.surfaces.push_back(std::move(surface));
       const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
-      if (cutAlong<N>(mesh, surface, {seed}, options.tolerance) > 0) ++cuts;
+      if (cutAlong<N>(mesh, number, {seed}, options.tolerance) > 0) ++cuts;
       else mesh.surfaces.pop_back();
     }
   }
@@ -268,8 +278,8 @@ template <int N> double blocksExpected(const Parts<N> &parts) {
 
 } // namespace
 
-std::vector<double> sectorPlanes(double angle) {
-  switch (curveKind(angle)) {
+std::vector<double> sectorPlanes(CurveKind kind, double angle) {
+  switch (kind) {
   case CurveKind::end: return {};
   case CurveKind::side: return {angle / 2};
   case CurveKind::corner: // the planes of both facets: sectors of angle - 180, 360 - angle and angle - 180
@@ -300,6 +310,12 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {
+    for (int round = 0; round < kBentRounds; ++round) {
+      if (mesh.simplexCount() > simplexLimit) break;
+      if (!cutBentPart(mesh, result.parts, {options.tolerance, options.facetSurfaces})) break;
+      ++result.cuts;
+      result.parts = buildParts(mesh, partOptions);
+    }
     for (int round = 0; round < kVertexRounds; ++round) {
       const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                       [](const Corner &c) { return c.sides.size() > 3; });

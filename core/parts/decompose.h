@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "parts/parts.h"
+#include "parts/features.h"
 
 namespace dualblock {
 
@@ -30,7 +30,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
 
 /// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
 /// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; ARCHITECTURE.md 3, rule 1).
-std::vector<double> sectorPlanes(double angle);
+std::vector<double> sectorPlanes(CurveKind kind, double angle);
 
 extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
 extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);

@@ -45,24 +45,25 @@ std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<
   return ridge;
 }
 
-/// The angle inside the part between the face of simplex s opposite to vertex i and its mate across the
-/// ridge without vertex k, from the planes of their surfaces; only the sense of turning comes from s.
+/// How the face f of a part and its mate meet at the ridge of f without vertex k, from the planes of their
+/// surfaces; only the sense of turning comes from the simplex.
 template <int N>
-double insideAngle(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k, const FaceRef<N> &mate) {
-  const Vec<N> n1 = mesh.outwardNormal(f.simplex, f.face);
-  const Vec<N> n2 = mesh.outwardNormal(mate.simplex, mate.face);
+RidgeFrame<N> frameAt(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k, const FaceRef<N> &mate) {
+  RidgeFrame<N> frame;
+  frame.tags = {mesh.tags[at(f.simplex)][f.face], mesh.tags[at(mate.simplex)][mate.face]};
+  frame.outward = mesh.outwardNormal(f.simplex, f.face);
+  const Vec<N> mateOutward = mesh.outwardNormal(mate.simplex, mate.face);
   const auto &s = mesh.simplices[at(f.simplex)];
-  Vec<N> away; // in the plane of f, perpendicular to the ridge, pointing out of f across the ridge
-  if constexpr (N == 2) {
-    away = {-n1.y, n1.x};
-  } else {
-    const std::array<Index, 2> ridge = ridgeNodes(mesh, f, k);
-    away = glm::cross(n1, glm::normalize(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]));
-  }
   const std::array<Index, N - 1> ridge = ridgeNodes(mesh, f, k);
-  if (glm::dot(away, mesh.nodes[at(s[k])] - mesh.nodes[at(ridge[0])]) > 0) away = -away;
-  // Convex: the mate's outward normal leans to `away`; reflex: it leans back over f.
-  return std::numbers::pi - std::atan2(glm::dot(n2, away), glm::dot(n1, n2));
+  if constexpr (N == 2) {
+    frame.into = {-frame.outward.y, frame.outward.x};
+  } else {
+    frame.into = glm::cross(frame.outward, glm::normalize(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]));
+  }
+  if (glm::dot(frame.into, mesh.nodes[at(s[k])] - mesh.nodes[at(ridge[0])]) < 0) frame.into = -frame.into;
+  // Convex: the mate's outward normal leans away from f; reflex: it leans back over f.
+  frame.angle = std::numbers::pi - std::atan2(-glm::dot(mateOutward, frame.into), glm::dot(frame.outward, mateOutward));
+  return frame;
 }
 
 template <int N> double ridgeLength(const ReferenceMesh<N> &mesh, const std::array<Index, N - 1> &ridge) {
@@ -74,7 +75,7 @@ template <int N> struct RidgeRecord {
   Index part;
   std::array<Index, 2> sides;
   std::array<Index, N - 1> nodes;
-  double angle;
+  RidgeFrame<N> frame;
   double length;
 };
 
@@ -90,7 +91,7 @@ template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &
   std::vector<Index> ends;
   for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
     const RidgeRecord<N> &first = records[begin];
-    Curve<N> curve{first.part, first.sides, {}, first.angle, true};
+    Curve<N> curve{first.part, first.sides, {}, {}, first.frame.angle, true};
     double longest = 0;
     ends.clear();
     for (end = begin;
@@ -98,10 +99,11 @@ template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &
          ++end) {
       const RidgeRecord<N> &r = records[end];
       curve.ridges.push_back(r.nodes);
+      curve.frames.push_back(r.frame);
       ends.insert(ends.end(), r.nodes.begin(), r.nodes.end());
       if (r.length > longest) { // short ridges have the worst rounding
         longest = r.length;
-        curve.angle = r.angle;
+        curve.angle = r.frame.angle;
       }
     }
     if constexpr (N == 3) {
@@ -311,7 +313,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
       record.part = partOfFace(toIndex(f));
       record.sides = {sideOf[f], sideOf[at(mate)]};
       record.nodes = ridgeNodes(mesh, boundary.faces[f], k);
-      record.angle = insideAngle(mesh, boundary.faces[f], k, boundary.faces[at(mate)]);
+      record.frame = frameAt(mesh, boundary.faces[f], k, boundary.faces[at(mate)]);
       record.length = ridgeLength<N>(mesh, record.nodes);
       records.push_back(record);
     }

@@ -16,12 +16,21 @@ struct Side {
   Index opposite; // the side of the neighbouring part on the same split surface, or kNone
 };
 
+/// What a cut through a ridge of a curve has to know.
+template <int N> struct RidgeFrame {
+  std::array<Index, 2> tags; // of the faces on the curve's two sides
+  Vec<N> outward;            // normal of the first of them
+  Vec<N> into;               // in its plane, perpendicular to the ridge, into the side
+  double angle;              // inside the part, radians
+};
+
 /// The faces of a part where two of its sides meet: a chain of ridges (3D), one node (2D).
 template <int N> struct Curve {
   Index part;
   std::array<Index, 2> sides;                   // ascending
   std::vector<std::array<Index, N - 1>> ridges; // node lists, in the order found
-  double angle;                                 // inside the part, radians
+  std::vector<RidgeFrame<N>> frames;            // per ridge
+  double angle;                                 // inside the part, at the longest ridge, radians
   bool open;                                    // a chain with two ends that are corners (2D: always)
 };
 

@@ -6,6 +6,7 @@
 #include "domain/polygon.h"
 #include "reference/raw_fill.h"
 #include "reference/refine.h"
+#include "reference/patches.h"
 #include "reference/unpinch.h"
 
 namespace dualblock {
@@ -251,6 +252,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
                  "Nothing is left of the domain: its holes take away all that it encloses.",
                  {}};
   unpinch(mesh);
+  if constexpr (N == 3) joinSmoothFacets(mesh, options.featureAngle);
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);
   if (options.seed > 0) splitRandomEdges(mesh, options.seed);
   return Filled<N>{std::move(mesh), std::move(fill.remedy), fill.tetgenMilliseconds, fill.deviation};

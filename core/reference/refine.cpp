@@ -1,5 +1,6 @@
 #include "reference/refine.h"
 
+#include <cmath>
 #include <random>
 
 namespace dualblock {
@@ -82,6 +83,43 @@ template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<I
   splitInOrder(mesh, wanted);
 }
 
+template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance) {
+  constexpr int kRounds = 3;
+  const Index before = mesh.nodeCount();
+  std::vector<double> values;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v) values.push_back(field.value(mesh.nodes[v]));
+    std::vector<WantedSplit> wanted;
+    for (const auto &[a, b] : allEdges(mesh)) {
+      const double va = values[at(a)];
+      const double vb = values[at(b)];
+      if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) continue;
+      if (std::max(std::abs(va), std::abs(vb)) <= tolerance) { // a chord from the cut to the cut
+        const Vec<N> middle = (mesh.nodes[at(a)] + mesh.nodes[at(b)]) / 2.0;
+        if (std::abs(field.value(middle)) > 1e-3 * glm::length(mesh.nodes[at(b)] - mesh.nodes[at(a)]))
+          wanted.push_back({a, b, 0.5});
+        continue;
+      }
+      // The point between the ends that lies furthest on their other side.
+      const double sign = va + vb > 0 ? 1 : -1;
+      double furthest = -tolerance;
+      double position = 0;
+      for (const double t : {0.25, 0.5, 0.75}) {
+        const double value = sign * field.value(mesh.nodes[at(a)] + t * (mesh.nodes[at(b)] - mesh.nodes[at(a)]));
+        if (value >= furthest) continue;
+        furthest = value;
+        position = t;
+      }
+      if (position > 0) wanted.push_back({a, b, position});
+    }
+    if (wanted.empty()) break;
+    splitInOrder(mesh, wanted);
+  }
+  return mesh.nodeCount() - before;
+}
+
+template Index resolve(ReferenceMesh<2> &, const CutField<2> &, double);
+template Index resolve(ReferenceMesh<3> &, const CutField<3> &, double);
 template void splitLongEdges(ReferenceMesh<2> &, double);
 template void splitLongEdges(ReferenceMesh<3> &, double);
 template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);

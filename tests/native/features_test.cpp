@@ -52,7 +52,7 @@ TEST(VertexKinds, CountFeatureCurves) {
 TEST(VertexKinds, EdgeOnTheRimOfADrum) {
   std::vector<Vec<2>> polygon;
   for (int k = 0; k < 12; ++k) polygon.emplace_back(std::cos(30 * k * kDegree), std::sin(30 * k * kDegree));
-  const Features drum = classifyFeatures(buildParts(fill(prism(polygon, 0, 1)), {}));
+  const Features drum = classifyFeatures(buildParts(fill(prism(polygon, 0, 1), 0, 0, 0), {}));
   EXPECT_EQ(drum.vertices, std::vector<VertexKind>(24, VertexKind::edge));
 }
 

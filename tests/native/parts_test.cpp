@@ -110,7 +110,7 @@ TEST(SectorPlanes, CountAndSectors) {
   for (int degrees = 181; degrees < 360; ++degrees) {
     SCOPED_TRACE(degrees);
     const double angle = degrees * kDegree;
-    const std::vector<double> planes = sectorPlanes(angle);
+    const std::vector<double> planes = sectorPlanes(curveKind(angle), angle);
     // A plane through the curve is met inside at its direction and, where that is inside too, opposite to it.
     std::vector<double> rays{0, angle};
     for (const double direction : planes)
@@ -150,10 +150,15 @@ TEST(Parts, NotSimpleForAReason) {
 TEST(Parts, FacetsOfACylinderAreSides) {
   std::vector<Vec<2>> circle;
   for (int k = 0; k < 24; ++k) circle.emplace_back(std::cos(15 * k * kDegree), std::sin(15 * k * kDegree));
-  const auto parts = buildParts(fill(prism(circle, 0, 1)), {});
+  const auto parts = buildParts(fill(prism(circle, 0, 1), 0, 0, 0), {});
   EXPECT_EQ(parts.sides.size(), 26U);
   EXPECT_EQ(parts.curves.size(), 72U);
   EXPECT_TRUE(parts.parts[0].simple) << parts.parts[0].why;
+  const auto round = buildParts(fill(prism(circle, 0, 1)), {});
+  EXPECT_EQ(round.sides.size(), 3U);
+  EXPECT_EQ(round.curves.size(), 2U); // closed ones
+  EXPECT_EQ(round.corners.size(), 0U);
+  EXPECT_FALSE(round.parts[0].simple);
 }
 
 TEST(Parts, EveryFaceMakesEachSimplexAPart) {

@@ -60,12 +60,14 @@ template <int N> PipelineResult<N> run(const Domain<N> &domain, const PipelineOp
 
 /// The reference mesh alone, as the pipeline makes it.
 template <int N>
-ReferenceMesh<N> fill(const Domain<N> &domain, double edgeLength = 0, std::uint32_t seed = 0) {
+ReferenceMesh<N> fill(const Domain<N> &domain, double edgeLength = 0, std::uint32_t seed = 0,
+                      double featureAngle = -1) {
   auto prepared = prepareDomain(domain, PipelineOptions{}.tolerance);
   if (!prepared.ok()) throw std::runtime_error(domain.name + ": " + prepared.error().message);
   FillOptions options;
   options.edgeLength = edgeLength;
   options.seed = seed;
+  options.featureAngle = featureAngle;
   options.planarTolerance = PipelineOptions{}.tolerance;
   auto filled = fillDomain(prepared.value().domain, options);
   if (!filled.ok()) throw std::runtime_error(domain.name + ": " + filled.error().message);

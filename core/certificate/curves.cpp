@@ -1,0 +1,192 @@
+// Of check 5: each curve of the domain is a chain of primal edges. The nodes of the creases between two patches are
+// put in order along the domain's curves between them; creases must join neighbours, from end to end.
+#include <limits>
+#include <map>
+
+#include "certificate/checks.h"
+
+namespace dualblock {
+namespace {
+
+/// Connected pieces of the curves between two patches, with the place of each ridge along its piece.
+struct Course {
+  struct Stretch {
+    Vec<3> from, to;
+    Index piece;
+    double start; // length before it
+  };
+  std::vector<Stretch> stretches;
+  std::vector<double> lengths; // per piece
+  std::vector<bool> closed;
+};
+
+Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<Index, 2>> &ridges) {
+  std::map<Index, std::vector<std::size_t>> at; // ridges at each node
+  for (std::size_t r = 0; r < ridges.size(); ++r)
+    for (const Index n : ridges[r]) at[n].push_back(r);
+  Course course;
+  std::vector<bool> used(ridges.size(), false);
+  const auto walk = [&](Index start) {
+    const Index piece = toIndex(course.lengths.size());
+    double length = 0;
+    Index here = start;
+    while (true) {
+      std::size_t next = ridges.size();
+      for (const std::size_t r : at[here])
+        if (!used[r]) next = std::min(next, r);
+      if (next == ridges.size()) break;
+      used[next] = true;
+      const Index there = ridges[next][0] == here ? ridges[next][1] : ridges[next][0];
+      const Vec<3> a = nodes[dualblock::at(here)];
+      const Vec<3> b = nodes[dualblock::at(there)];
+      course.stretches.push_back({a, b, piece, length});
+      length += glm::length(b - a);
+      here = there;
+      if (here == start || at[here].size() != 2) break;
+    }
+    course.lengths.push_back(length);
+    course.closed.push_back(here == start);
+  };
+  const auto walkAll = [&](bool fromEnds) {
+    for (const auto &[node, list] : at) {
+      if ((list.size() != 2) != fromEnds) continue;
+      for (const std::size_t r : list)
+        if (!used[r]) walk(node);
+    }
+  };
+  walkAll(true);
+  walkAll(false);
+  return course;
+}
+
+struct Place {
+  Index piece;
+  double along;
+  Index node;
+};
+
+double distanceAlong(const Course::Stretch &s, const Vec<3> &x, double &along) {
+  const Vec<3> d = s.to - s.from;
+  const double square = glm::dot(d, d);
+  const double t = square > 0 ? std::clamp(glm::dot(x - s.from, d) / square, 0.0, 1.0) : 0.0;
+  along = s.start + t * glm::length(d);
+  return glm::length(x - (s.from + t * d));
+}
+
+/// Whether the creases join the course's nodes in their order, all around or from end to end.
+bool followsCourse(const CertificateInput<3> &in, const Course &course, const Crease *begin, const Crease *end,
+                   double tolerance) {
+  std::vector<std::array<Place, 2>> links;
+  for (const Crease *c = begin; c != end; ++c) {
+    // The piece that holds both nodes best: nodes where pieces meet lie on several.
+    std::array<Place, 2> link{};
+    double least = std::numeric_limits<double>::infinity();
+    for (Index piece = 0; piece < toIndex(course.lengths.size()); ++piece) {
+      std::array<Place, 2> here{};
+      double worst = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        double best = std::numeric_limits<double>::infinity();
+        for (const Course::Stretch &s : course.stretches) {
+          double along = 0;
+          if (s.piece != piece) continue;
+          const double d = distanceAlong(s, in.primal.positions[at(c->nodes[k])], along);
+          if (d >= best) continue;
+          best = d;
+          here[k] = {piece, along, c->nodes[k]};
+        }
+        worst = std::max(worst, best);
+      }
+      if (worst >= least) continue;
+      least = worst;
+      link = here;
+    }
+    if (!(least <= tolerance)) return false;
+    links.push_back(link);
+  }
+  for (Index piece = 0; piece < toIndex(course.lengths.size()); ++piece) {
+    std::vector<std::pair<double, Index>> order;
+    std::vector<std::array<Index, 2>> joined;
+    for (const auto &link : links) {
+      if (link[0].piece != piece) continue;
+      for (const Place &p : link) order.emplace_back(p.along, p.node);
+      joined.push_back(sortedPair(link[0].node, link[1].node));
+    }
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end(), [](const auto &a, const auto &b) { return a.second == b.second; }),
+                order.end());
+    if (order.size() < 2) return false;
+    const double length = course.lengths[at(piece)];
+    std::vector<std::array<Index, 2>> wanted;
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      if (!(order[k + 1].first - order[k].first > tolerance)) return false;
+      wanted.push_back(sortedPair(order[k].second, order[k + 1].second));
+    }
+    if (course.closed[at(piece)]) {
+      if (order.size() < 3) return false;
+      wanted.push_back(sortedPair(order.back().second, order.front().second));
+    } else if (order.front().first > tolerance || order.back().first < length - tolerance) {
+      return false;
+    }
+    std::sort(wanted.begin(), wanted.end());
+    std::sort(joined.begin(), joined.end());
+    if (wanted != joined) return false;
+  }
+  return true;
+}
+
+template <int N> std::array<Index, 2> keysOf(const CertificateInput<N> &in, const Curve<N> &curve) {
+  return sortedPair(in.mesh.sideKey(in.features.sides[at(curve.sides[0])].tag),
+                    in.mesh.sideKey(in.features.sides[at(curve.sides[1])].tag));
+}
+
+template <int N> void failCurve(const std::array<Index, 2> &keys, Certificate &certificate) {
+  certificate.fail(Check::features,
+                   "the curve between facets " + std::to_string(keys[0] / 2) + " and " + std::to_string(keys[1] / 2) +
+                       " is no chain of primal edges",
+                   {{"facet", keys[0] / 2}, {"facet", keys[1] / 2}});
+}
+
+bool keysLess(const Crease &c, const std::array<Index, 2> &keys) { return c.keys < keys; }
+
+} // namespace
+
+void checkCurves(const CertificateInput<3> &in, const std::vector<Crease> &creases, double tolerance,
+                 Certificate &certificate) {
+  std::vector<std::pair<std::array<Index, 2>, std::size_t>> order; // curves by keys
+  for (std::size_t c = 0; c < in.features.curves.size(); ++c)
+    order.emplace_back(keysOf(in, in.features.curves[c]), c);
+  std::sort(order.begin(), order.end());
+  std::size_t known = 0; // creases between patches that have a curve
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    const auto keys = order[begin].first;
+    std::vector<std::array<Index, 2>> ridges;
+    for (; end < order.size() && order[end].first == keys; ++end) {
+      const auto &more = in.features.curves[order[end].second].ridges;
+      ridges.insert(ridges.end(), more.begin(), more.end());
+    }
+    const Crease *first = creases.data() + (std::lower_bound(creases.begin(), creases.end(), keys, keysLess) - creases.begin());
+    const Crease *last = first;
+    while (last != creases.data() + creases.size() && last->keys == keys) ++last;
+    known += static_cast<std::size_t>(last - first);
+    if (first == last || !followsCourse(in, courseOf(in.featureNodes, ridges), first, last, tolerance))
+      failCurve<3>(keys, certificate);
+  }
+  if (known != creases.size())
+    certificate.fail(Check::features, "blocks meet along a curve that the domain does not have");
+}
+
+void checkCurves(const CertificateInput<2> &in, const std::vector<Crease> &creases, double,
+                 Certificate &certificate) {
+  std::vector<std::array<Index, 2>> wanted;
+  std::vector<std::array<Index, 2>> made;
+  for (const Curve<2> &curve : in.features.curves)
+    for (std::size_t r = 0; r < curve.ridges.size(); ++r) wanted.push_back(keysOf(in, curve));
+  for (const Crease &c : creases) made.push_back(c.keys);
+  std::sort(wanted.begin(), wanted.end());
+  if (wanted == made) return; // creases are sorted
+  std::vector<std::array<Index, 2>> different;
+  std::set_symmetric_difference(wanted.begin(), wanted.end(), made.begin(), made.end(), std::back_inserter(different));
+  for (const auto &keys : different) failCurve<2>(keys, certificate);
+}
+
+} // namespace dualblock

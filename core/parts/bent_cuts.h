@@ -1,0 +1,18 @@
+// Cuts that make parts with bent sides simple (ARCHITECTURE.md 3, rule 3): sides without curves, closed curves, sides
+// that meet twice, sides that turn too far. Internal to parts/.
+#pragma once
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+struct BentCutOptions {
+  double tolerance;    // nodes nearer to a cut than this count as on it
+  Index facetSurfaces; // surfaces below this number are the domain's own facets
+};
+
+/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more than
+/// 130 degrees, and cuts it. Returns whether a cut was made.
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options);
+
+} // namespace dualblock

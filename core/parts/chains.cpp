@@ -1,0 +1,101 @@
+#include "parts/chains.h"
+
+#include <cmath>
+
+namespace dualblock {
+namespace {
+
+/// The node half way along an open chain, by length.
+Vec<3> middleOf(const Chain &chain, const std::vector<Vec<3>> &nodes) {
+  double total = 0;
+  for (const Segment<3> &s : segmentsOf(chain, nodes)) total += glm::length(s[1] - s[0]);
+  double rest = total / 2;
+  for (const Segment<3> &s : segmentsOf(chain, nodes)) {
+    const double length = glm::length(s[1] - s[0]);
+    if (rest <= length) return s[0] + (length > 0 ? rest / length : 0) * (s[1] - s[0]);
+    rest -= length;
+  }
+  return nodes[at(chain.nodes.back())];
+}
+
+} // namespace
+
+std::vector<Chain> chainsOf(const Curve<3> &curve) {
+  std::vector<std::array<Index, 2>> links; // each ridge from both ends
+  for (const auto &[a, b] : curve.ridges) {
+    links.push_back({a, b});
+    links.push_back({b, a});
+  }
+  std::sort(links.begin(), links.end());
+  std::vector<bool> used(links.size(), false);
+  const auto degree = [&](Index node) {
+    const auto first = std::lower_bound(links.begin(), links.end(), std::array<Index, 2>{node, kNone});
+    const auto last = std::lower_bound(links.begin(), links.end(), std::array<Index, 2>{node + 1, kNone});
+    return last - first;
+  };
+  std::vector<Chain> chains;
+  const auto follow = [&](std::size_t link) {
+    Chain chain{{links[link][0]}, false};
+    while (true) {
+      used[link] = true;
+      const auto back = std::lower_bound(links.begin(), links.end(),
+                                         std::array<Index, 2>{links[link][1], links[link][0]});
+      used[static_cast<std::size_t>(back - links.begin())] = true;
+      const Index here = links[link][1];
+      if (here == chain.nodes.front()) {
+        chain.closed = true;
+        break;
+      }
+      chain.nodes.push_back(here);
+      if (degree(here) != 2) break;
+      std::size_t next = static_cast<std::size_t>(
+          std::lower_bound(links.begin(), links.end(), std::array<Index, 2>{here, kNone}) - links.begin());
+      if (used[next]) ++next;
+      if (next == links.size() || links[next][0] != here || used[next]) break;
+      link = next;
+    }
+    chains.push_back(std::move(chain));
+  };
+  for (std::size_t link = 0; link < links.size(); ++link) // from ends first, then around
+    if (!used[link] && degree(links[link][0]) != 2) follow(link);
+  for (std::size_t link = 0; link < links.size(); ++link)
+    if (!used[link]) follow(link);
+  return chains;
+}
+
+std::vector<Segment<3>> segmentsOf(const Chain &chain, const std::vector<Vec<3>> &nodes) {
+  std::vector<Segment<3>> segments;
+  for (std::size_t k = 0; k + 1 < chain.nodes.size(); ++k)
+    segments.push_back({nodes[at(chain.nodes[k])], nodes[at(chain.nodes[k + 1])]});
+  if (chain.closed) segments.push_back({nodes[at(chain.nodes.back())], nodes[at(chain.nodes.front())]});
+  return segments;
+}
+
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
+  if (chain.closed) {
+    Vec<3> area{0.0};
+    Vec<3> centre{0.0};
+    double length = 0;
+    const Vec<3> origin = nodes[at(chain.nodes[0])];
+    for (const Segment<3> &s : segmentsOf(chain, nodes)) {
+      area += glm::cross(s[0] - origin, s[1] - origin);
+      const double l = glm::length(s[1] - s[0]);
+      centre += 0.5 * l * (s[0] + s[1]);
+      length += l;
+    }
+    if (!(glm::length(area) > 1e-6 * length * length)) return false;
+    axis = {centre / length, glm::normalize(area)};
+    return true;
+  }
+  const Vec<3> a = nodes[at(chain.nodes.front())];
+  const Vec<3> b = middleOf(chain, nodes) - a;
+  const Vec<3> c = nodes[at(chain.nodes.back())] - a;
+  const Vec<3> normal = glm::cross(b, c);
+  const double square = glm::dot(normal, normal);
+  if (!(square > 1e-4 * glm::dot(b, b) * glm::dot(c, c))) return false;
+  axis.centre = a + (glm::dot(c, c) * glm::cross(normal, b) + glm::dot(b, b) * glm::cross(c, normal)) / (2 * square);
+  axis.direction = normal / std::sqrt(square);
+  return true;
+}
+
+} // namespace dualblock

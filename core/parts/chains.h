@@ -1,0 +1,28 @@
+// Curves as chains of nodes: the pieces that two sides meet in, each open or closed. Internal to parts/.
+#pragma once
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+/// A connected piece of a curve: nodes in a row; a closed one does not repeat its first node.
+struct Chain {
+  std::vector<Index> nodes;
+  bool closed;
+};
+
+/// The pieces of a curve, in the order of their lowest nodes. A branched curve gives one chain per branch.
+std::vector<Chain> chainsOf(const Curve<3> &curve);
+
+/// The chain's segments, the closing one included.
+std::vector<Segment<3>> segmentsOf(const Chain &chain, const std::vector<Vec<3>> &nodes);
+
+/// The line around which a chain turns: of a closed chain its centre and the direction of its vector area; of an
+/// open one those of the circle through its ends and its middle. Nothing for a straight chain.
+struct Axis {
+  Vec<3> centre;
+  Vec<3> direction; // unit length
+};
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis);
+
+} // namespace dualblock
