@@ -220,7 +220,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
 
   clock.start("parts", 0.35);
   DecomposeOptions decomposeOptions;
-  decomposeOptions.tolerance = 3e-9 * r.mesh.size + 2 * r.domain.deviation;
+  decomposeOptions.tolerance = options.tolerance * r.mesh.size + 2 * r.domain.deviation;
   decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
   decomposeOptions.blockLimit = [&] {
     const ReferenceMesh<N> *const mesh = needCoarse();

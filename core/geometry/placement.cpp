@@ -3,7 +3,7 @@
 #include <map>
 
 #include "geometry/bent_placement.h"
-#include "geometry/centre.h"
+#include "geometry/untangle.h"
 #include "geometry/jacobian.h"
 
 namespace dualblock {
@@ -114,7 +114,7 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
       std::swap(block.nodes[5], block.nodes[7]);
     }
   }
-  validateCentres(primal);
+  untangle(mesh, parts, dual, primal);
 }
 
 template Vec<2> chainMidpoint<2>(const std::vector<Vec<2>> &, const std::vector<std::array<Index, 2>> &);

@@ -7,7 +7,7 @@
 namespace dualblock {
 
 /// Fills primal.positions and turns every block's axes so that its volume is positive. Where averages leave a
-/// part's centre in a place that inverts a block, the centre is moved to a valid one if there is one.
+/// nodes in places that invert a block, they are moved to valid ones if there are any (untangle.h).
 template <int N>
 void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual,
                 Primal<N> &primal);
