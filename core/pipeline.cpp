@@ -15,6 +15,7 @@ namespace dualblock {
 namespace {
 
 constexpr int kRepairRounds = 12;
+constexpr int kBlameRounds = 4; // then all components fall back
 
 class StageClock {
 public:
@@ -100,19 +101,16 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
 
 /// Components whose parts are not simple, or give more blocks than the fallback would.
 template <int N>
-std::vector<bool> wantFallback(const PipelineResult<N> &r, const Components<N> &components,
-                               const std::vector<double> &limits, std::string &reason) {
-  std::vector<bool> replace(at(components.count), false);
-  std::vector<Index> componentOfPart(r.parts.parts.size(), 0);
-  for (Index s = 0; s < r.mesh.simplexCount(); ++s)
-    componentOfPart[at(r.parts.partOfSimplex[at(s)])] = components.ofSimplex[at(s)];
+std::vector<bool> wantFallback(const PipelineResult<N> &r, const std::vector<double> &limits, std::string &reason) {
+  std::vector<bool> replace(at(r.mesh.componentCount), false);
+  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
   for (std::size_t p = 0; p < r.parts.parts.size(); ++p) {
     if (r.parts.parts[p].simple) continue;
     if (reason.empty()) reason = "a part could not be made simple: " + r.parts.parts[p].why;
-    replace[at(componentOfPart[p])] = true;
+    replace[at(component[p])] = true;
   }
-  std::vector<double> blocks(at(components.count), 0);
-  for (const Corner &corner : r.parts.corners) blocks[at(componentOfPart[at(corner.part)])] += 1;
+  std::vector<double> blocks(at(r.mesh.componentCount), 0);
+  for (const Corner &corner : r.parts.corners) blocks[at(component[at(corner.part)])] += 1;
   for (std::size_t c = 0; c < blocks.size(); ++c) {
     if (limits.empty() || blocks[c] <= limits[c]) continue;
     if (reason.empty()) reason = "the cut parts would give more blocks than the reference simplices";
@@ -122,10 +120,38 @@ std::vector<bool> wantFallback(const PipelineResult<N> &r, const Components<N> &
 }
 
 template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coarse) {
-  const Components<N> components = findComponents(coarse);
-  std::vector<double> blocks(at(components.count), 0);
-  for (const Index c : components.ofSimplex) blocks[at(c)] += N + 1;
+  std::vector<double> blocks(at(coarse.componentCount), 0);
+  for (const Index c : coarse.component) blocks[at(c)] += N + 1;
   return blocks;
+}
+
+/// The components of what the certificate's failures name, of those not yet replaced; all of them where a failure
+/// names nothing that belongs to one.
+template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std::vector<bool> &replaced) {
+  std::vector<bool> blame(replaced.size(), false);
+  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
+  std::vector<Index> ofFacet(r.domain.domain.facets.size(), kNone);
+  for (const Side &side : r.parts.sides)
+    if (const Index surface = FaceTag::surface(side.tag); at(surface) < ofFacet.size())
+      ofFacet[at(surface)] = component[at(side.part)];
+  bool clear = true;
+  for (const CertificateFailure &failure : r.certificate.failures) {
+    bool found = false;
+    for (const EntityRef &e : failure.entities) {
+      Index c = kNone;
+      const Index k = static_cast<Index>(e.index);
+      if (e.kind == "block") c = component[at(r.primal.blocks[at(k)].part)];
+      if (e.kind == "node" || e.kind == "cell") c = component[at(r.dual.pieces[at(r.primal.nodePiece[at(k)])].part)];
+      if (e.kind == "simplex") c = r.mesh.component[at(k)];
+      if (e.kind == "facet") c = ofFacet[at(k)];
+      if (c == kNone || replaced[at(c)]) continue;
+      blame[at(c)] = true;
+      found = true;
+    }
+    clear &= found;
+  }
+  if (!clear) blame.assign(blame.size(), true);
+  return blame;
 }
 
 /// Where TetGen refused the domain: looks for two facets that cross, and names them as the input does.
@@ -222,10 +248,16 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   DecomposeOptions decomposeOptions;
   decomposeOptions.tolerance = options.tolerance * r.mesh.size + 2 * r.domain.deviation;
   decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
-  decomposeOptions.blockLimit = [&] {
-    const ReferenceMesh<N> *const mesh = needCoarse();
-    return mesh ? (N + 1.0) * mesh->simplexCount() : std::numeric_limits<double>::infinity();
+  std::vector<double> limits; // per component: blocks of the fallback
+  const auto limitOf = [&](Index component) {
+    if (limits.empty()) {
+      const ReferenceMesh<N> *const mesh = needCoarse();
+      limits = mesh ? fallbackBlocks(*mesh)
+                    : std::vector<double>(at(r.mesh.componentCount), std::numeric_limits<double>::infinity());
+    }
+    return limits[at(component)];
   };
+  decomposeOptions.blockLimit = limitOf;
   Decomposition<N> decomposition = decompose(r.mesh, r.features, decomposeOptions);
   r.parts = std::move(decomposition.parts);
   r.cuts = decomposition.cuts;
@@ -233,56 +265,46 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   r.features.nodeSides = {};
   r.features.sideFaces = {};
 
+  // Components that the cuts cannot serve are replaced by their reference simplices: those that gave up, those with
+  // parts that are not simple, and those that the certificate blames.
+  std::vector<bool> replace = decomposition.gaveUp;
+  if (any(replace))
+    r.fallbackReason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
+  const std::vector<bool> unfit = wantFallback(r, limits, r.fallbackReason);
+  for (std::size_t c = 0; c < replace.size(); ++c) replace[c] = replace[c] || unfit[c];
   std::vector<bool> everyFace;
-  std::vector<bool> replace;
-  if (decomposition.gaveUp) {
-    r.fallbackReason =
-        "cuts would give more blocks, or many times more simplices, than the reference mesh has";
-    replace.assign(at(findComponents(r.mesh).count), true);
-  } else {
-    const Components<N> components = findComponents(r.mesh);
-    std::vector<double> limits;
-    if (decomposition.vertexCuts > 0)
-      if (const ReferenceMesh<N> *const mesh = needCoarse()) limits = fallbackBlocks(*mesh);
-    replace = wantFallback(r, components, limits, r.fallbackReason);
-  }
-  bool done = false;
-  if (!any(replace)) {
-    done = buildDual(r, partOptions, everyFace, clock);
-    if (done) {
-      buildResult(r, clock);
-      done = r.certificate.valid;
-      if (!done)
-        r.fallbackReason = "the cut parts did not pass the certificate: " + r.certificate.failures[0].message;
-    } else {
-      r.fallbackReason = "repairs of the reference mesh did not end";
-    }
-    if (!done) { // blame the components of the blocks named, or all
-      replace.assign(replace.size(), true);
-    }
-  }
-  if (!done) {
-    clock.start("fallback", 0.4);
-    if (const ReferenceMesh<N> *const mesh = needCoarse()) {
+  for (int attempt = 0;; ++attempt) {
+    if (any(replace)) {
+      clock.start("fallback", 0.4);
+      const ReferenceMesh<N> *const mesh = needCoarse();
+      if (!mesh) return *coarseError;
       FallbackMesh<N> fallback = applyFallback(r.mesh, *mesh, replace);
       r.mesh = std::move(fallback.mesh);
-      if (std::find(replace.begin(), replace.end(), false) ==
-          replace.end()) { // nothing of the cut mesh is left
+      everyFace = std::move(fallback.everyFace);
+      partOptions.everyFace = &everyFace;
+      r.fallbackComponents = toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
+      if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
         r.cuts = 0;
         r.repairs = 0;
         r.fillSimplices = mesh->simplexCount();
       }
-      everyFace = std::move(fallback.everyFace);
-      partOptions.everyFace = &everyFace;
-      r.fallbackComponents =
-          toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
       clock.start("parts", 0.45);
       r.parts = buildParts(r.mesh, partOptions);
-      if (buildDual(r, partOptions, everyFace, clock)) buildResult(r, clock);
-      else r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
-    } else {
-      return *coarseError;
     }
+    const bool built = buildDual(r, partOptions, everyFace, clock);
+    if (built) buildResult(r, clock);
+    if (built && r.certificate.valid) break;
+    if (r.fallbackComponents == r.mesh.componentCount) {
+      if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
+      break;
+    }
+    if (r.fallbackReason.empty())
+      r.fallbackReason = built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
+                               : "repairs of the reference mesh did not end";
+    const std::vector<bool> more =
+        built && attempt < kBlameRounds ? blamed(r, replace) : std::vector<bool>(replace.size(), true);
+    for (std::size_t c = 0; c < replace.size(); ++c) replace[c] = replace[c] || more[c];
+    r.certificate = {};
   }
   clock.stop();
   return r;

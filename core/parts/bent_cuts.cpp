@@ -293,7 +293,9 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 
 } // namespace
 
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options) {
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+                 const std::vector<bool> &gaveUp) {
+  const std::vector<Index> component = componentOfParts(mesh, parts);
   std::size_t curve = 0;
   std::size_t corner = 0;
   for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
@@ -302,6 +304,7 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOpt
       v.curves.push_back(&parts.curves[curve]);
     for (; corner < parts.corners.size() && parts.corners[corner].part == part; ++corner)
       v.corners.push_back(&parts.corners[corner]);
+    if (gaveUp[at(component[at(part)])]) continue;
     for (const Proposal &proposal : proposals(v))
       if (carryOut(mesh, v, proposal, options)) return true;
   }

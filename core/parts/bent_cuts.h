@@ -12,7 +12,8 @@ struct BentCutOptions {
 };
 
 /// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more than
-/// 130 degrees, and cuts it. Returns whether a cut was made.
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options);
+/// 140 degrees, and cuts it. Components that gave up are passed over. Returns whether a cut was made.
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+                 const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

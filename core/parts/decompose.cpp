@@ -6,9 +6,11 @@
 #include <optional>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "parts/bent_cuts.h"
 #include "parts/features.h"
 #include "reference/cut.h"
+#include "reference/patches.h"
 #include "reference/refine.h"
 
 namespace dualblock {
@@ -26,6 +28,44 @@ constexpr int kBentRounds = 200;
 template <int N> struct Ridge {
   Index simplex;
   int from, to;
+};
+
+/// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts would
+/// give more blocks than the fallback, that is cheaper and no worse.
+template <int N> class Budget {
+public:
+  explicit Budget(const ReferenceMesh<N> &mesh) : gaveUp(at(mesh.componentCount), false) {
+    for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
+  }
+
+  void update(const ReferenceMesh<N> &mesh) {
+    const std::vector<Index> now = sizes(mesh);
+    for (std::size_t c = 0; c < now.size(); ++c)
+      if (now[c] > limits_[c]) gaveUp[c] = true;
+  }
+
+  void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::function<double(Index)> &limit) {
+    std::vector<double> blocks(gaveUp.size(), 0);
+    std::vector<bool> needed(gaveUp.size(), false);
+    const std::vector<Index> component = componentOfParts(mesh, parts);
+    for (const Corner &corner : parts.corners) {
+      const std::size_t c = at(component[at(corner.part)]);
+      blocks[c] += static_cast<double>(corner.sides.size()) - (N - 1);
+      if (corner.sides.size() > N) needed[c] = true;
+    }
+    for (std::size_t c = 0; c < blocks.size(); ++c)
+      if (needed[c] && !gaveUp[c] && blocks[c] > limit(toIndex(c))) gaveUp[c] = true;
+  }
+
+  std::vector<bool> gaveUp; // per component
+
+private:
+  static std::vector<Index> sizes(const ReferenceMesh<N> &mesh) {
+    std::vector<Index> count(at(mesh.componentCount), 0);
+    for (const Index c : mesh.component) ++count[at(c)];
+    return count;
+  }
+  std::vector<Index> limits_;
 };
 
 /// The ridge at `node`, towards `goal`, that leads from a face with tag f to one with tag g, turning through
@@ -85,12 +125,41 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
   return found;
 }
 
-/// The surface through a curve at an angle from its first side, given per ridge: a plane where one holds the whole
-/// curve, else the planes of all ridges. Where it extends a facet it is the facet's own plane, so that neighbouring
-/// curves share it to the last bit.
+/// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then has a cut
+/// of its own.
 template <int N>
-Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, std::size_t sector,
-                          double tolerance) {
+std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, const Curve<N> &curve) {
+  DisjointSets sets(curve.ridges.size());
+  if constexpr (N == 3) {
+    std::vector<std::pair<Index, std::size_t>> ends; // node, ridge
+    for (std::size_t k = 0; k < curve.ridges.size(); ++k)
+      for (const Index node : curve.ridges[k]) ends.emplace_back(node, k);
+    std::sort(ends.begin(), ends.end());
+    const double leastCosine = std::cos(kSmoothAngle * pi / 180);
+    for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
+      if (ends[e].first != ends[e + 1].first) continue;
+      const auto away = [&](std::size_t k) {
+        const auto &r = curve.ridges[k];
+        const Index other = r[0] == ends[e].first ? r[1] : r[0];
+        return glm::normalize(mesh.nodes[at(other)] - mesh.nodes[at(ends[e].first)]);
+      };
+      if (-glm::dot(away(ends[e].second), away(ends[e + 1].second)) > leastCosine)
+        sets.unite(toIndex(ends[e].second), toIndex(ends[e + 1].second));
+    }
+  }
+  Index count = 0;
+  const std::vector<Index> number = sets.numbering(count);
+  std::vector<std::vector<std::size_t>> runs(at(count));
+  for (std::size_t k = 0; k < number.size(); ++k) runs[at(number[k])].push_back(k);
+  return runs;
+}
+
+/// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one holds the
+/// whole run, else the planes of all ridges. Where it extends a facet it is the facet's own plane, so that
+/// neighbouring curves share it to the last bit.
+template <int N>
+Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
+                          std::size_t sector, double tolerance) {
   const auto planeAt = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
     const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
@@ -100,45 +169,58 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, s
     return planeThrough(mesh.nodes[at(curve.ridges[k].front())],
                         std::sin(direction) * frame.into + std::cos(direction) * frame.outward);
   };
-  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[0].tags[0]), planeAt(0)};
-  for (const auto &ridge : curve.ridges)
-    for (const Index node : ridge) surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
-  if constexpr (N == 3)
-    if (surface.bent) {
-      std::vector<Segment<N>> segments;
-      std::vector<Plane<N>> planes;
-      for (std::size_t k = 0; k < curve.ridges.size(); ++k) {
-        segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
-        planes.push_back(planeAt(k));
-      }
-      surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
+  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[run[0]].tags[0]), planeAt(run[0])};
+  if constexpr (N == 3) {
+    for (const std::size_t k : run)
+      for (const Index node : curve.ridges[k])
+        surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
+    if (!surface.bent) return surface;
+    std::vector<Segment<N>> segments;
+    std::vector<Plane<N>> planes;
+    for (const std::size_t k : run) {
+      segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
+      planes.push_back(planeAt(k));
     }
+    surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
+  }
   return surface;
+}
+
+/// Cuts along one sector plane of one run. Returns whether there was something to cut.
+template <int N>
+bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run, std::size_t sector,
+            const DecomposeOptions &options) {
+  Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
+  if (surface.field) resolve(mesh, *surface.field, options.tolerance);
+  const auto [f, g] = curve.frames[run[0]].tags;
+  const auto &first = curve.ridges[run[0]];
+  const auto ridge = findRidge(mesh, first.front(), first.back(), f, g, options.facetSurfaces);
+  if (!ridge) return false;
+  if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
+    return false;
+  const Index number = toIndex(mesh.surfaces.size());
+  mesh.surfaces.push_back(std::move(surface));
+  const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
+  if (cutAlong<N>(mesh, number, {seed}, options.tolerance) > 0) return true;
+  mesh.surfaces.pop_back();
+  return false;
 }
 
 template <int N>
 void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options,
-                     Index simplexLimit, Index &cuts) {
+                     Budget<N> &budget, Index &cuts) {
+  const std::vector<Index> component = componentOfParts(mesh, parts);
+  Index lastCount = mesh.simplexCount();
   for (const Curve<N> &curve : parts.curves) {
-    if (curve.angle <= kLargestAngle) continue;
-    if (mesh.simplexCount() > simplexLimit) return;
-    const Index node = curve.ridges.front().front();
-    const Index goal = curve.ridges.front().back();
-    const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
-    for (std::size_t sector = 0; sector < sectors; ++sector) {
-      const auto [f, g] = curve.frames.front().tags;
-      Surface<N> surface = surfaceThrough(mesh, curve, sector, options.tolerance);
-      if (surface.field) resolve(mesh, *surface.field, options.tolerance);
-      const auto ridge = findRidge(mesh, node, goal, f, g, options.facetSurfaces);
-      if (!ridge) continue;
-      if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
-        continue;
-      const Index number = toIndex(mesh.surfaces.size());
-      mesh.surfaces.push_back(std::move(surface));
-      const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
-      if (cutAlong<N>(mesh, number, {seed}, options.tolerance) > 0) ++cuts;
-      else mesh.surfaces.pop_back();
+    if (curve.angle <= kLargestAngle || budget.gaveUp[at(component[at(curve.part)])]) continue;
+    if (mesh.simplexCount() > 2 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
+      lastCount = mesh.simplexCount();
+      budget.update(mesh);
     }
+    const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
+    for (const auto &run : smoothRuns(mesh, curve))
+      for (std::size_t sector = 0; sector < sectors; ++sector)
+        if (cutRun(mesh, curve, run, sector, options)) ++cuts;
   }
 }
 
@@ -236,7 +318,9 @@ bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corn
 }
 
 /// One round of rule 2: at most one cut in each part that has a corner of too many sides. Returns the cuts.
-Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeOptions &options) {
+Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeOptions &options,
+                 const std::vector<bool> &gaveUp) {
+  const std::vector<Index> component = componentOfParts(mesh, parts);
   Index cuts = 0;
   const Index oldSimplices = mesh.simplexCount();
   std::vector<Index> cornerNodes;
@@ -259,7 +343,7 @@ Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeO
       collectStar(mesh, worst->node, star);
       return std::all_of(star.begin(), star.end(), [&](Index s) { return s < oldSimplices; });
     }();
-    if (worst && untouched) {
+    if (worst && untouched && !gaveUp[at(component[at(part)])]) {
       const std::vector<Spoke> spokes =
           spokesOf(parts, *worst, toIndex(curveBegin), toIndex(curveEnd), cornerNodes);
       if (cutCorner(mesh, parts, *worst, spokes, cornerNodes, options)) ++cuts;
@@ -268,12 +352,6 @@ Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const DecomposeO
     cornerBegin = cornerEnd;
   }
   return cuts;
-}
-
-template <int N> double blocksExpected(const Parts<N> &parts) {
-  double blocks = 0;
-  for (const Corner &corner : parts.corners) blocks += static_cast<double>(corner.sides.size()) - (N - 1);
-  return blocks;
 }
 
 } // namespace
@@ -294,43 +372,33 @@ std::vector<double> sectorPlanes(CurveKind kind, double angle) {
 template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
   const PartOptions partOptions;
-  // Where planes cross so often that they multiply the mesh, the fallback is cheaper and no worse.
-  const Index simplexLimit = 40 * mesh.simplexCount() + 20000;
   Decomposition<N> result;
   result.parts = uncut;
+  Budget<N> budget(mesh);
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.cuts;
-    cutReflexCurves(mesh, result.parts, options, simplexLimit, result.cuts);
-    if (mesh.simplexCount() > simplexLimit) {
-      result.gaveUp = true;
-      result.parts = buildParts(mesh, partOptions);
-      return result;
-    }
+    cutReflexCurves(mesh, result.parts, options, budget, result.cuts);
     if (result.cuts == before) break;
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {
     for (int round = 0; round < kBentRounds; ++round) {
-      if (mesh.simplexCount() > simplexLimit) break;
-      if (!cutBentPart(mesh, result.parts, {options.tolerance, options.facetSurfaces})) break;
-      ++result.cuts;
+      if (!cutBentPart(mesh, result.parts, {options.tolerance, options.facetSurfaces}, budget.gaveUp)) break;
+      ++result.bentCuts;
       result.parts = buildParts(mesh, partOptions);
+      budget.update(mesh);
     }
     for (int round = 0; round < kVertexRounds; ++round) {
-      const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
-                                      [](const Corner &c) { return c.sides.size() > 3; });
-      if (!needed) break;
-      if (mesh.simplexCount() > simplexLimit) result.gaveUp = true;
-      if (result.gaveUp) break;
-      result.gaveUp = blocksExpected(result.parts) > options.blockLimit();
-      if (result.gaveUp) break;
-      const Index cuts = cutCorners(mesh, result.parts, options);
+      budget.limitBlocks(mesh, result.parts, options.blockLimit);
+      const Index cuts = cutCorners(mesh, result.parts, options, budget.gaveUp);
       if (cuts == 0) break;
-      result.cuts += cuts;
       result.vertexCuts += cuts;
       result.parts = buildParts(mesh, partOptions);
+      budget.update(mesh);
     }
   }
+  result.cuts += result.bentCuts + result.vertexCuts;
+  result.gaveUp = std::move(budget.gaveUp);
   return result;
 }
 

@@ -6,14 +6,6 @@
 
 namespace dualblock {
 
-/// Components of a mesh (over all faces), numbered by their lowest outer facet, so that two meshes of one
-/// domain number them alike.
-template <int N> struct Components {
-  std::vector<Index> ofSimplex;
-  Index count = 0;
-};
-template <int N> Components<N> findComponents(const ReferenceMesh<N> &mesh);
-
 /// A mesh whose components are taken from `cut`, where replace[component] is false, or from the uncut mesh
 /// `coarse`, all of whose inner faces become split surfaces.
 template <int N> struct FallbackMesh {
@@ -24,8 +16,6 @@ template <int N>
 FallbackMesh<N> applyFallback(const ReferenceMesh<N> &cut, const ReferenceMesh<N> &coarse,
                               const std::vector<bool> &replace);
 
-extern template Components<2> findComponents(const ReferenceMesh<2> &);
-extern template Components<3> findComponents(const ReferenceMesh<3> &);
 extern template FallbackMesh<2> applyFallback(const ReferenceMesh<2> &, const ReferenceMesh<2> &,
                                               const std::vector<bool> &);
 extern template FallbackMesh<3> applyFallback(const ReferenceMesh<3> &, const ReferenceMesh<3> &,

@@ -66,6 +66,15 @@ struct PartOptions {
 /// boundary faces.
 template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options);
 
+/// The component that each part belongs to.
+template <int N> std::vector<Index> componentOfParts(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
+  std::vector<Index> component(parts.parts.size(), 0);
+  // Cuts may have added simplices since; those that were there have kept their number, in a piece of themselves.
+  for (std::size_t s = 0; s < parts.partOfSimplex.size(); ++s)
+    component[at(parts.partOfSimplex[s])] = mesh.component[s];
+  return component;
+}
+
 extern template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &);
 extern template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &);
 

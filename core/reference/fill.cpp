@@ -161,6 +161,24 @@ void keepInside(RawFill<N> &fill, const std::vector<bool> &inside, const std::ve
     for (const Index v : mesh.simplices[at(s)]) mesh.nodeSimplex[at(v)] = s;
 }
 
+/// Numbers the connected pieces by their lowest facet, so that two meshes of one domain number them alike.
+template <int N> void findComponents(ReferenceMesh<N> &mesh) {
+  const std::vector<Index> raw = floodPieces(mesh, mesh.componentCount, [](Index, int) { return false; });
+  std::vector<std::pair<Index, Index>> lowestFacet; // (facet, raw component)
+  for (Index c = 0; c < mesh.componentCount; ++c) lowestFacet.emplace_back(toIndex(mesh.surfaces.size()), c);
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i) {
+      if (mesh.tags[at(s)][i] == kNone) continue;
+      Index &lowest = lowestFacet[at(raw[at(s)])].first;
+      lowest = std::min(lowest, FaceTag::surface(mesh.tags[at(s)][i]));
+    }
+  std::sort(lowestFacet.begin(), lowestFacet.end());
+  std::vector<Index> number(lowestFacet.size());
+  for (std::size_t k = 0; k < lowestFacet.size(); ++k) number[at(lowestFacet[k].second)] = toIndex(k);
+  mesh.component.resize(raw.size());
+  for (std::size_t s = 0; s < raw.size(); ++s) mesh.component[s] = number[at(raw[s])];
+}
+
 /// Turns each outer facet's plane so that its normal points out, and tags every facet face by its side.
 template <int N>
 void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
@@ -251,6 +269,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
     return Error{ErrorCode::emptyDomain,
                  "Nothing is left of the domain: its holes take away all that it encloses.",
                  {}};
+  findComponents(mesh);
   unpinch(mesh);
   if constexpr (N == 3) joinSmoothFacets(mesh, options.featureAngle);
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);

@@ -57,6 +57,8 @@ template <int N> struct ReferenceMesh {
   std::vector<Simplex> neighbors; // across face i, or kNone
   std::vector<Simplex> tags;      // FaceTag of face i, or kNone for an inner face
   std::vector<Index> region;      // per simplex: the region of an assembly, 0 where there is one only
+  std::vector<Index> component;   // per simplex: the connected piece of the domain, by its lowest facet
+  Index componentCount = 0;
   std::vector<Index> nodeSimplex; // per node: one simplex that has it
   std::vector<Surface<N>> surfaces;
   double size = 0; // diagonal of the domain's bounding box: the scale of all tolerances

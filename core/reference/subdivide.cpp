@@ -53,6 +53,7 @@ public:
       mesh_.tags.emplace_back();
       mesh_.neighbors.emplace_back();
       mesh_.region.push_back(mesh_.region[at(parent)]);
+      mesh_.component.push_back(mesh_.component[at(parent)]);
       affected_.push_back(s);
     }
     mesh_.simplices[at(s)] = piece.nodes;
