@@ -261,6 +261,9 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   Decomposition<N> decomposition = decompose(r.mesh, r.features, decomposeOptions);
   r.parts = std::move(decomposition.parts);
   r.cuts = decomposition.cuts;
+  r.vertexCuts = decomposition.vertexCuts;
+  r.bentCuts = decomposition.bentCuts;
+  for (Index f = 0; f < toIndex(domain.facets.size()); ++f) r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
@@ -284,7 +287,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       partOptions.everyFace = &everyFace;
       r.fallbackComponents = toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
       if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
-        r.cuts = 0;
+        r.cuts = r.vertexCuts = r.bentCuts = 0;
         r.repairs = 0;
         r.fillSimplices = mesh->simplexCount();
       }

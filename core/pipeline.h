@@ -37,6 +37,9 @@ template <int N> struct PipelineResult {
   Index fillSimplices = 0; // of the reference mesh before cuts and repairs
   std::string remedy;      // what it took TetGen to succeed, or empty
   Index cuts = 0;
+  Index vertexCuts = 0; // of the cuts: by vertices of too many sides
+  Index bentCuts = 0;   // of the cuts: across bent sides
+  Index bentSides = 0;  // of the domain
   Index repairs = 0;            // nodes added by repairs of conditions (a) and (b)
   Index fallbackComponents = 0; // components where every reference simplex became a part
   std::string fallbackReason;

@@ -78,10 +78,14 @@ template <int N> val referenceToJs(const PipelineResult<N> &r) {
   m.set("tags", toJs<Index>(r.mesh.tags));
   m.set("region", toJs<Index>(r.mesh.region));
   m.set("surfaceKind", column<std::uint8_t>(r.mesh.surfaces, [](const Surface<N> &s) { return s.kind; }));
+  m.set("surfacePatch", column<Index>(r.mesh.surfaces, [](const Surface<N> &s) { return s.patch; }));
   m.set("surfaceSource", column<Index>(r.mesh.surfaces, [](const Surface<N> &s) { return s.source; }));
   m.set("filled", static_cast<double>(r.fillSimplices));
   m.set("remedy", r.remedy);
   m.set("cuts", r.cuts);
+  m.set("vertexCuts", r.vertexCuts);
+  m.set("bentCuts", r.bentCuts);
+  m.set("bentSides", r.bentSides);
   m.set("repairs", r.repairs);
   return m;
 }
@@ -155,6 +159,7 @@ val certificateToJs(const Certificate &certificate, bool onlyMatching) {
   c.set("domainMeasure", certificate.domainMeasure);
   c.set("meshMeasure", certificate.meshMeasure);
   c.set("worstCoefficient", certificate.worstCoefficient);
+  c.set("isExact", certificate.isExact);
   return c;
 }
 
@@ -195,7 +200,7 @@ template <typename Work> val guarded(Work work) {
   }
 }
 
-/// settings: {edgeLength, seed, tolerance}, every one a number in its range.
+/// settings: {edgeLength, seed, tolerance, featureAngle}, every one a number in its range.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -213,8 +218,10 @@ Result<PipelineOptions> readOptions(const val &settings) {
   const double seed = take("seed", 0, Seed::max(), "a number from 0 to 4294967295.");
   const double tolerance =
       take("tolerance", Double::min(), 1 - Double::epsilon(), "a number over 0 and under 1.");
+  const double featureAngle =
+      take("featureAngle", -1, 180, "degrees from 0 to 180, or a number below 0 for the automatic choice.");
   if (wrong) return *wrong;
-  return PipelineOptions{edgeLength, static_cast<std::uint32_t>(seed), tolerance};
+  return PipelineOptions{edgeLength, static_cast<std::uint32_t>(seed), tolerance, featureAngle};
 }
 
 /// One domain at a time: load it, run it as often as wanted. A load that fails leaves the last domain.

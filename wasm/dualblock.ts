@@ -44,7 +44,9 @@ export class Dualblock {
 
   /** Runs every stage on the loaded domain. Throws a DualblockError for bad input. */
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
-    const answer = this.session.run({ ...defaultSettings, ...settings }, progress);
+    const wanted = { ...defaultSettings, ...settings };
+    const featureAngle = wanted.featureAngle === 'auto' ? -1 : wanted.featureAngle;
+    const answer = this.session.run({ ...wanted, featureAngle }, progress);
     return answer.ok ? answer : raise(answer.error, answer.given);
   }
 

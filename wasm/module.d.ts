@@ -6,6 +6,8 @@ declare module '*/build/dualblock.mjs' {
     edgeLength: number;
     seed: number;
     tolerance: number;
+    /** Below 0: automatic. */
+    featureAngle: number;
   }
 
   export interface RawSession {

@@ -36,6 +36,12 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       simplices: reference.simplices.length / (result.dimension + 1),
       filled: reference.filled,
       cuts: reference.cuts,
+      cutsBy: {
+        reflexCurves: reference.cuts - reference.vertexCuts - reference.bentCuts,
+        vertices: reference.vertexCuts,
+        bentSides: reference.bentCuts,
+      },
+      bentSides: reference.bentSides,
       repairs: reference.repairs,
       refinement: settings.edgeLength > 0 ? settings.edgeLength : 'coarse',
       remedy: reference.remedy,
@@ -119,10 +125,18 @@ export function describe(report: Report): string {
     ? `${parts.count} parts, by the fallback (${parts.fallbackReason})`
     : `${parts.count} part(s)`;
   const quality = report.quality.scaledJacobian;
+  const { domainMeasure, meshMeasure } = certificate;
+  const off = (100 * (meshMeasure - domainMeasure)) / domainMeasure;
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
+    certificate.isExact
+      ? ''
+      : `  ${reference.bentSides} bent side(s): straight blocks hold ${off.toFixed(1)} % ${off < 0 ? 'less' : 'more'} than the domain`.replace(
+          ' -',
+          ' ',
+        ),
     certificate.valid ? '  certified: matching, cells, topology, geometry, features' : '  NOT VALID:',
     ...certificate.failures.map((f) => `    ${f.check}: ${f.message}`),
   ]

@@ -30,6 +30,8 @@ export interface Certificate extends Record<Check, boolean | null> {
   meshMeasure: number;
   /** The smallest Bezier coefficient of a block's Jacobian over that block's largest. */
   worstCoefficient: number;
+  /** The two measures agree to rounding; where sides are bent, straight blocks may only come near. */
+  isExact: boolean;
 }
 
 export interface RunResult {
@@ -69,12 +71,19 @@ export interface RunResult {
     neighbors: Int32Array;
     tags: Int32Array;
     region: Int32Array;
-    /** 0 facet, 1 cut at a reflex curve, 2 cut at a vertex, 3 faces of simplices. */
+    /** 0 facet, 1 cut at a reflex curve, 2 cut at a vertex, 3 faces of simplices, 4 cut across bent sides. */
     surfaceKind: Uint8Array;
+    /** Facets that are one bent side have the lowest of them; -1 for surfaces that are a side each. */
+    surfacePatch: Int32Array;
     surfaceSource: Int32Array;
     filled: number;
     remedy: string;
+    /** Split surfaces in all; of those, at vertices and across bent sides. */
     cuts: number;
+    vertexCuts: number;
+    bentCuts: number;
+    /** Sides that are bent. */
+    bentSides: number;
     repairs: number;
   };
   parts: {

@@ -8,9 +8,14 @@ export interface Settings {
   seed: number;
   /** Of planarity, relative to the size of the domain. */
   tolerance: number;
+  /**
+   * Facets that meet at less than this many degrees are one bent side, 0 to 180. `auto`: 35 degrees, where at least six
+   * facets join.
+   */
+  featureAngle: number | 'auto';
 }
 
-export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6 };
+export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 'auto' };
 
 /** File name extensions that can be loaded. */
 export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;

@@ -153,8 +153,10 @@ void orientHoleLoops(PreparedDomain<3> &prepared) {
   if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " hole loops were turned round");
 }
 
-/// Every edge must belong to at least two facets.
-std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<Index> &given) {
+/// Every edge must belong to at least two facets; and where to two only, solids share both of them or none. kept: per
+/// facet of the input, its number here; given: the other way round.
+std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<Index> &kept,
+                                 const std::vector<Index> &given) {
   const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
@@ -166,6 +168,15 @@ std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::v
               std::to_string(given[at(uses[begin].facet)]) +
               " only. Close the gap, or merge vertices that should be one.",
           {{"facet", given[at(uses[begin].facet)]}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
+    const auto shared = [&](std::size_t u) { return prepared.domain.facets[at(uses[u].facet)].isInterface; };
+    if (end - begin != 2 || shared(begin) == shared(begin + 1)) continue;
+    const Index facet = uses[shared(begin) ? begin : begin + 1].facet;
+    const auto twin = std::find(kept.rbegin(), kept.rend(), facet);
+    const Index second = toIndex(static_cast<std::size_t>(kept.rend() - twin)) - 1;
+    return Error{ErrorCode::duplicateFacet,
+                 "Facet " + std::to_string(second) + " has the same corners as facet " +
+                     std::to_string(given[at(facet)]) + ", but no second solid is there: remove one of them.",
+                 {{"facet", second}}};
   }
   return std::nullopt;
 }
@@ -221,7 +232,7 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
     if (kept[f] == toIndex(givenFacet.size())) givenFacet.push_back(toIndex(f));
   orientHoleLoops(prepared);
   if (auto error = checkFacets(prepared.domain, givenFacet, allowed)) return *error;
-  if (auto error = checkClosed(prepared, givenFacet)) return *error;
+  if (auto error = checkClosed(prepared, kept, givenFacet)) return *error;
   orientShells(prepared);
   MergedFacets merged = mergeCoplanar(given.vertices, prepared.domain.facets, allowed);
   dropStraightVertices(given.vertices, merged.facets, allowed);

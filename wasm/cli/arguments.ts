@@ -10,6 +10,7 @@ export interface GivenSettings {
   seed?: number;
   /** Relative to the domain's size, over 0 and under 1. */
   tolerance?: number;
+  featureAngle?: number | 'auto';
 }
 
 export type Source = { kind: 'file'; path: string } | { kind: 'example'; name: string };
@@ -141,6 +142,7 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
   const reference = first('reference');
   const seed = first('seed');
   const tolerance = first('tolerance');
+  const featureAngle = first('feature-angle');
   if (reference !== undefined) {
     settings.reference =
       reference === 'coarse'
@@ -154,6 +156,12 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
   }
   if (tolerance !== undefined) {
     settings.tolerance = between('tolerance', tolerance, 1, 'a number over 0 and under 1, such as 1e-8');
+  }
+  if (featureAngle !== undefined) {
+    const degrees = /^\d+\.?\d*$/.test(featureAngle) ? Number(featureAngle) : Number.NaN;
+    if (featureAngle !== 'auto' && !(degrees <= 180))
+      throw badValue('feature-angle', featureAngle, 'auto, or degrees from 0 to 180');
+    settings.featureAngle = featureAngle === 'auto' ? 'auto' : degrees;
   }
   return settings;
 }

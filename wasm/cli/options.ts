@@ -23,6 +23,10 @@ export const options = {
   reference: { value: 'coarse|H', help: 'refinement of the reference mesh: none, or the longest edge H' },
   seed: { value: 'N', help: 'seed of every random choice, 0 to 4294967295' },
   tolerance: { value: 'T', help: "coplanarity tolerance relative to the domain's size, over 0 and under 1" },
+  'feature-angle': {
+    value: 'DEG',
+    help: 'facets that meet at less are one bent side, 0 to 180; auto: 35, if six join',
+  },
   help: { help: 'print this text' },
   version: { help: 'print the version' },
 } as const satisfies Record<string, Option>;

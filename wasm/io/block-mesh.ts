@@ -11,6 +11,8 @@ export interface BlockMesh {
   blocks: Int32Array;
   /** Part of each block, counted from 0. */
   part: Int32Array;
+  /** Region of each block, as the input numbers them; left out where there is one only. */
+  region?: Int32Array;
   /** Quality of each block: the minimum scaled Jacobian, from -1 to 1. */
   quality: Float64Array;
   /** Boundary edges (2D, 2 node ids) or faces (3D, 4 node ids) and the input facet, from 0, of each. */
@@ -35,6 +37,7 @@ export function checkBlockMesh(mesh: BlockMesh): void {
     Number.isInteger(nodes) &&
     mesh.part.length === blocks &&
     mesh.quality.length === blocks &&
+    (mesh.region?.length ?? blocks) === blocks &&
     (mesh.boundary?.facet.length ?? 0) === faces;
   if (!fits)
     throw new DualblockError(

@@ -27,13 +27,15 @@ export function meshWriter(fileName: string): (result: RunResult) => string {
 }
 
 /** The block mesh of a result, as the writers take it. */
-export function blockMesh({ dimension, name, title, primal }: RunResult): BlockMesh {
+export function blockMesh({ dimension, name, title, primal, parts }: RunResult): BlockMesh {
+  const several = parts.region.some((region) => region !== parts.region[0]);
   return {
     dimension,
     name: title || name,
     positions: primal.positions,
     blocks: primal.blocks,
     part: primal.blockPart,
+    ...(several ? { region: primal.blockPart.map((part) => parts.region[part]!) } : {}),
     quality: primal.quality,
     boundary: { faces: primal.boundaryFaces, facet: primal.boundaryFacet },
   };

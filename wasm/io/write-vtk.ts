@@ -6,7 +6,8 @@ const kHexahedron = 12;
 const kLongestTitle = 255;
 
 /**
- * The mesh as a VTK file: points (z = 0 in 2D), quadrilaterals or hexahedra, and the cell data `part` and `quality`.
+ * The mesh as a VTK file: points (z = 0 in 2D), quadrilaterals or hexahedra, and the cell data `part`, `region` (of an
+ * assembly) and `quality`.
  * The same mesh gives the same text. Throws what checkBlockMesh throws.
  */
 export function writeVtk(mesh: BlockMesh): string {
@@ -29,6 +30,10 @@ export function writeVtk(mesh: BlockMesh): string {
   for (let block = 0; block < blocks; block++) lines.push(type);
   lines.push(`CELL_DATA ${blocks}`, 'SCALARS part int 1', 'LOOKUP_TABLE default');
   pushRows(lines, mesh.part, 1);
+  if (mesh.region) {
+    lines.push('SCALARS region int 1', 'LOOKUP_TABLE default');
+    pushRows(lines, mesh.region, 1);
+  }
   lines.push('SCALARS quality double 1', 'LOOKUP_TABLE default');
   pushRows(lines, mesh.quality, 1);
   lines.push('');

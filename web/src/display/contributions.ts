@@ -4,7 +4,13 @@ import { type CellSet, cellCenters, Ints, type SegmentSet } from './cell-set.ts'
 import { levelOf, masksOf, type Templates } from './regions.ts';
 
 /** Why a contribution is there: the kind of surface that its side lies on (`reference.surfaceKind`). */
-export const reasons = ['boundary layer', 'corner curve', 'split of a vertex', 'fallback'] as const;
+export const reasons = [
+  'boundary layer',
+  'corner curve',
+  'split of a vertex',
+  'fallback',
+  'split of a bent side',
+] as const;
 
 /** Contributions, one per simplex and subset of its vertices, numbered in the order of their insertion. */
 export interface ContributionDisplay {
@@ -52,7 +58,7 @@ export function displayContributions(result: RunResult, templates: Templates): C
         soft: (contributions.soft[s]! >> mask) & 1,
         size: masksOf(mask << 1).length,
         sides,
-        reason: Math.min(3, ...kinds),
+        reason: Math.min(reasons.length - 1, ...kinds),
       });
     }
   }

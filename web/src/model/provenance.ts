@@ -43,10 +43,24 @@ export const surfacesOfContribution = (model: Model, c: number): number[] => [
   ...new Set(sidesOfContribution(model, c).map((side) => model.result.contributions.surfaceOfSide[side]!)),
 ];
 
-/** The facet of the domain that a side lies on, or -1 for a side on a split surface. */
-export function facetOfSide({ result }: Model, side: number): number {
-  const surface = result.parts.sideTag[side]! >> 1;
-  return result.reference.surfaceKind[surface] === 0 ? result.reference.surfaceSource[surface]! : -1;
+/** The facet that stands for a bent side which a facet is part of; the facet itself where it is a side alone. */
+const patchOf = ({ result }: Model, facet: number): number => {
+  const patch = result.reference.surfacePatch[facet]!;
+  return patch < 0 ? facet : patch;
+};
+
+/** The facet of the domain that a side lies on, the lowest of a bent one, or -1 for a side on a split surface. */
+export function facetOfSide(model: Model, side: number): number {
+  const surface = model.result.parts.sideTag[side]! >> 1;
+  return model.result.reference.surfaceKind[surface] === 0 ? patchOf(model, surface) : -1;
+}
+
+/** All facets of the domain that a side lies on: several where it is bent. */
+export function facetsOfSide(model: Model, side: number): number[] {
+  const facet = facetOfSide(model, side);
+  const { surfacePatch } = model.result.reference;
+  if (facet < 0 || surfacePatch[facet]! < 0) return facet < 0 ? [] : [facet];
+  return [...surfacePatch.keys()].filter((k) => surfacePatch[k] === facet);
 }
 
 /**
@@ -99,8 +113,8 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
     for (let b = 0; b < blockCount; b++)
       for (let k = 0; k < n; k++) if (surfaces.has(surfaceOfBlock(b, k))) out.block.add(b);
     for (let side = 0; side < parts.sideTag.length; side++)
-      if (surfaces.has(contributions.surfaceOfSide[side]!) && facetOfSide(model, side) >= 0)
-        out.facet.add(facetOfSide(model, side));
+      if (surfaces.has(contributions.surfaceOfSide[side]!))
+        for (const facet of facetsOfSide(model, side)) out.facet.add(facet);
   };
   const addBlock = (b: number): void => {
     out.block.add(b);
@@ -111,7 +125,7 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
     const sides = primal.blockSides.subarray(n * b, n * (b + 1));
     for (let k = 0; k < n; k++) {
       out.surface.add(surfaceOfBlock(b, k));
-      if (facetOfSide(model, sides[k]!) >= 0) out.facet.add(facetOfSide(model, sides[k]!));
+      for (const facet of facetsOfSide(model, sides[k]!)) out.facet.add(facet);
     }
     // Where the D̄-node is: simplices that all of the block's D̄-surfaces pass through.
     for (const [s, list] of contributionsBySimplex(model)) {
@@ -188,7 +202,7 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
   } else if (kind === 'facet') {
     const surfaces = new Set<number>();
     for (let side = 0; side < parts.sideTag.length; side++)
-      if (facetOfSide(model, side) === id) surfaces.add(contributions.surfaceOfSide[side]!);
+      if (facetOfSide(model, side) === patchOf(model, id)) surfaces.add(contributions.surfaceOfSide[side]!);
     addLayers(surfaces);
     out.facet = new Set([id]);
   } else if (kind === 'curve') {
@@ -197,7 +211,7 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
     facets.forEach((facet, k) => {
       out.facet.add(facet);
       for (let side = 0; side < parts.sideTag.length; side++)
-        if (facetOfSide(model, side) === facet) between[k]!.add(contributions.surfaceOfSide[side]!);
+        if (facetOfSide(model, side) === patchOf(model, facet)) between[k]!.add(contributions.surfaceOfSide[side]!);
     });
     for (const surface of between.flatMap((set) => [...set])) out.surface.add(surface);
     for (let b = 0; b < blockCount; b++) {
