@@ -51,6 +51,12 @@ template <int N> bool isBent(const CertificateInput<N> &input) {
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &input);
 
+/// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
+struct Pinch {
+  Index node, simplex;
+};
+template <int N> std::vector<Pinch> findPinches(const CertificateInput<N> &input);
+
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
 template <int N> void checkCells(const CertificateInput<N> &input, Certificate &certificate);
 template <int N>

@@ -48,11 +48,14 @@ template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &
       const Index t = in.mesh.neighbors[at(s)][i];
       if (t == kNone) {
         if (empty) continue;
-        tracesOn(in, s, i, left);
-        for (std::size_t k = 0; k + 1 < left.size(); ++k)
-          if (left[k] == left[k + 1])
-            certificate.fail(Check::matching, "a D-bar-surface meets the boundary twice at one place",
-                             {{"simplex", s}});
+        // A D-bar-surface may cross itself on the boundary, where it comes back from around a hole, but as the sides
+        // that it belongs to there are two, a side has one contribution.
+        const Contribution *const end = in.contributions.ofSimplex.end(s);
+        for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != end; ++c)
+          for (const Contribution *d = c + 1; d != end; ++d)
+            if (c->side == d->side)
+              certificate.fail(Check::matching, "a side has two contributions in one simplex of the boundary",
+                               {{"simplex", s}});
         continue;
       }
       if (t < s || (empty && in.contributions.ofSimplex.size(t) == 0)) continue;

@@ -37,6 +37,24 @@ template <typename Cells> Index nodeComponents(const Cells &cells, std::size_t n
   return countSets(sets, used);
 }
 
+/// nodes - edges + triangles - tetrahedra, counted one by one.
+Index eulerByCounting(const ReferenceMesh<3> &mesh) {
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<bool> used(mesh.nodes.size(), false);
+  Index faces = 0;
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < 4; ++i) {
+      const auto &v = mesh.simplices[at(s)];
+      used[at(v[i])] = true;
+      if (mesh.neighbors[at(s)][i] < s) ++faces; // outer ones, and inner ones from the later simplex
+      for (int k = i + 1; k < 4; ++k) edges.push_back(sortedPair(v[i], v[k]));
+    }
+  std::sort(edges.begin(), edges.end());
+  const auto last = std::unique(edges.begin(), edges.end());
+  return toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true))) -
+         static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
+}
+
 template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
   // chi = nodes - edges + triangles - tetrahedra. Edges are counted by sorting node pairs (3D).
   const ReferenceMesh<N> &mesh = in.mesh;
@@ -61,6 +79,8 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
     shape.euler = nodes - edges + mesh.simplexCount();
   } else {
     // A 3-manifold with boundary has half the Euler characteristic of its boundary.
+    if (!findPinches(in).empty()) shape.euler = eulerByCounting(mesh);
+    else {
     std::vector<bool> used(mesh.nodes.size(), false);
     Index nodes = 0;
     std::vector<std::array<Index, 2>> edges;
@@ -73,6 +93,7 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
+    }
   }
   shape.components = nodeComponents(mesh.simplices, mesh.nodes.size());
   shape.shells = nodeComponents(boundary, mesh.nodes.size());
@@ -101,6 +122,43 @@ template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockC
 }
 
 } // namespace
+
+template <> std::vector<Pinch> findPinches(const CertificateInput<2> &) { return {}; } // unpinch has doubled those
+
+template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
+  // Corners of outer faces: two at one node go together where their faces share an edge there.
+  struct Fan {
+    std::array<Index, 2> edge; // node and neighbour
+    Index corner;
+  };
+  std::vector<Fan> fans;
+  std::vector<Pinch> corners;
+  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+    for (int i = 0; i < 4; ++i) {
+      if (in.mesh.neighbors[at(s)][i] != kNone) continue;
+      for (int v = 0; v < 4; ++v) {
+        if (v == i) continue;
+        const Index node = in.mesh.simplices[at(s)][v];
+        for (int w = 0; w < 4; ++w)
+          if (w != i && w != v) fans.push_back({{node, in.mesh.simplices[at(s)][w]}, toIndex(corners.size())});
+        corners.push_back({node, s});
+      }
+    }
+  std::sort(fans.begin(), fans.end(), [](const Fan &a, const Fan &b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.corner < b.corner;
+  });
+  DisjointSets sets(corners.size());
+  for (std::size_t f = 0; f + 1 < fans.size(); ++f)
+    if (fans[f].edge == fans[f + 1].edge) sets.unite(fans[f].corner, fans[f + 1].corner);
+  std::vector<bool> seen(in.mesh.nodes.size(), false);
+  std::vector<Pinch> pinches;
+  for (Index c = 0; c < toIndex(corners.size()); ++c) {
+    if (sets.find(c) != c) continue;
+    if (seen[at(corners[at(c)].node)]) pinches.push_back(corners[at(c)]);
+    seen[at(corners[at(c)].node)] = true;
+  }
+  return pinches;
+}
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
   // A hexahedron's faces and edges (VTK order), a quad's sides.

@@ -242,6 +242,7 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   for (const Facet &facet : prepared.domain.facets)
     prepared.deviation = std::max(prepared.deviation,
                                   deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));
+  prepared.deviation = std::max(prepared.deviation, coordinateRounding(given));
   compactVertices(prepared);
   return prepared;
 }

@@ -1,8 +1,10 @@
 // What the preparation of a domain shares between 2D and 3D. Internal to domain/.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "domain/prepare.h"
@@ -39,6 +41,14 @@ template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
                            std::to_string(count) + ".",
                        {{"facet", static_cast<std::int64_t>(f)}}};
   return std::nullopt;
+}
+
+/// How well a place can be told at all in coordinates of this size: far from the origin, less well.
+template <int N> double coordinateRounding(const Domain<N> &domain) {
+  double largest = 0;
+  for (const Vec<N> &v : domain.vertices)
+    for (int k = 0; k < N; ++k) largest = std::max(largest, std::abs(v[k]));
+  return 4 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 /// Drops vertices that no facet uses (they would become nodes of the reference mesh) and renumbers; a given

@@ -30,6 +30,12 @@ Surface<3> planeSurface(const Vec<3> &point, const Vec<3> &normal) {
   return surface;
 }
 
+/// A closed curve and the sides that meet in it.
+struct Loop {
+  Chain chain;
+  std::array<Index, 2> sides;
+};
+
 /// What one part consists of.
 struct PartView {
   const ReferenceMesh<3> &mesh;
@@ -126,17 +132,46 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   return proposal;
 }
 
-/// A plane through the axis of a closed curve: the one that holds most axes of other closed curves, then most
-/// corners of the part, then nodes of the curve on both sides, then the nearest to a coordinate plane.
-std::optional<Proposal> alongAxis(const PartView &v, const Chain &loop, const std::vector<Chain> &loops) {
+/// The nodes of a chain on the side of its axis that `towards` points to.
+std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
+  std::vector<Index> half;
+  for (const Index n : chain.nodes)
+    if (glm::dot(v.node(n) - axis.centre, towards) > 0) half.push_back(n);
+  return half;
+}
+
+/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then corners of
+/// the part, then nodes of the curve, then how near they are to a coordinate plane. Where all corners are on one side
+/// of the axis, the half plane there is enough.
+std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
   Axis axis;
-  if (!axisOf(loop, v.mesh.nodes, axis)) return std::nullopt;
+  if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
   const double reach = kOnAxis * v.mesh.size;
   std::vector<Axis> others;
-  for (const Chain &other : loops) {
+  Axis opposite; // the other end of a bent side that the loop bounds
+  Index ends = 0;
+  for (const Loop &other : loops) {
     Axis o;
-    if (&other != &loop && axisOf(other, v.mesh.nodes, o)) others.push_back(o);
+    if (&other == &loop || !axisOf(other.chain, v.mesh.nodes, o)) continue;
+    others.push_back(o);
+    for (const Index side : loop.sides)
+      if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {
+        opposite = o;
+        ++ends;
+      }
   }
+  others.push_back(axis);
+  // A tube runs from end to end, which need not be square to its ends.
+  if (ends == 1 && glm::length(opposite.centre - axis.centre) > 1e3 * reach) {
+    const Vec<3> along = glm::normalize(opposite.centre - axis.centre);
+    if (std::abs(glm::dot(along, axis.direction)) > 0.5) axis.direction = along;
+  }
+  // Axes that are this one tell nothing about directions.
+  const auto isSame = [&](const Axis &o) {
+    return glm::length(glm::cross(o.centre - axis.centre, axis.direction)) <= reach &&
+           glm::length(glm::cross(o.direction, axis.direction)) <= kOnAxis;
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), isSame), others.end());
   std::vector<Vec<3>> targets;
   for (const Axis &o : others) {
     targets.push_back(o.centre);
@@ -148,9 +183,9 @@ std::optional<Proposal> alongAxis(const PartView &v, const Chain &loop, const st
     unit[k] = v.mesh.size;
     targets.push_back(axis.centre + unit);
   }
-  for (const Index n : loop.nodes) targets.push_back(v.node(n));
+  for (const Index n : loop.chain.nodes) targets.push_back(v.node(n));
   using Score = std::tuple<int, int, int, double>;
-  std::optional<std::pair<Score, Vec<3>>> best;
+  std::vector<std::pair<Score, Proposal>> ranked;
   for (const Vec<3> &target : targets) {
     const Vec<3> across = glm::cross(axis.direction, target - axis.centre);
     if (glm::length(across) <= 1e3 * reach) continue;
@@ -159,17 +194,32 @@ std::optional<Proposal> alongAxis(const PartView &v, const Chain &loop, const st
     for (const Axis &o : others)
       if (std::abs(plane.distance(o.centre)) <= reach && std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
         ++std::get<0>(score);
-    for (const Corner *corner : v.corners)
-      if (std::abs(plane.distance(v.node(corner->node))) <= reach) ++std::get<1>(score);
+    const Vec<3> towards = target - axis.centre;
+    int behind = 0;
+    for (const Corner *corner : v.corners) {
+      if (std::abs(plane.distance(v.node(corner->node))) > reach) continue;
+      const Vec<3> d = v.node(corner->node) - axis.centre;
+      ++(glm::dot(d - glm::dot(d, axis.direction) * axis.direction, towards) > 0 ? std::get<1>(score) : behind);
+    }
+    const bool half = std::get<0>(score) == 0 && std::get<1>(score) > 0 && behind == 0;
+    std::get<1>(score) += behind;
     int held = 0;
-    for (const Index n : loop.nodes) held += std::abs(plane.distance(v.node(n))) <= reach ? 1 : 0;
+    for (const Index n : loop.chain.nodes) held += std::abs(plane.distance(v.node(n))) <= reach ? 1 : 0;
     std::get<2>(score) = std::min(held, 2);
     const Vec<3> n = glm::abs(plane.normal);
     std::get<3>(score) = std::round(1e6 * std::max({n.x, n.y, n.z}));
-    if (!best || score > best->first) best = {score, plane.normal};
+    const auto known = std::find_if(ranked.begin(), ranked.end(), [&](const auto &r) {
+      return std::abs(glm::dot(r.second.surface.plane.normal, plane.normal)) > 1 - 1e-9;
+    });
+    if (known != ranked.end() && known->first >= score) continue;
+    ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
+                                        half ? halfOf(v, loop.chain, axis, towards) : loop.chain.nodes});
   }
-  if (!best) return std::nullopt;
-  return Proposal{planeSurface(axis.centre, best->second), loop.nodes};
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
+  constexpr std::size_t kTried = 8;
+  std::vector<Proposal> list;
+  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k) list.push_back(std::move(ranked[k].second));
+  return list;
 }
 
 /// Half way between two corners where the same sides meet.
@@ -205,40 +255,51 @@ bool turnsTooFar(const PartView &v, Index side) {
   return beyond > 0.02 * total;
 }
 
-/// Across a side that turns too far: through the axis of its longest arc, and a corner of the part near the middle,
-/// or else the middle itself.
+/// Across a side that turns too far: through the axis of the arc that turns most, and a corner of the part near the
+/// middle, or else the middle itself. Where there is a second such arc the plane runs from one to the other.
 std::optional<Proposal> acrossArc(const PartView &v, Index side) {
-  std::optional<Proposal> best;
-  double longest = 0;
+  struct Arc {
+    double turn;
+    Chain chain;
+    Axis axis;
+  };
+  std::vector<Arc> arcs;
   for (const Curve<3> *curve : v.curves) {
     if (curve->sides[0] != side && curve->sides[1] != side) continue;
-    for (const Chain &chain : chainsOf(*curve)) {
+    for (Chain &chain : chainsOf(*curve)) {
       Axis axis;
       if (chain.closed || !axisOf(chain, v.mesh.nodes, axis)) continue;
-      const Vec<3> a = v.node(chain.nodes.front());
-      const Vec<3> b = v.node(chain.nodes.back());
-      const double turn = std::abs(glm::dot(glm::normalize(a - axis.centre), glm::normalize(b - axis.centre)) - 1);
-      if (turn <= longest) continue;
-      longest = turn;
-      // The middle of the chain is off the line from end to end, seen from which side it is.
-      Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
-      const Vec<3> across = glm::length(b - a) > 0 ? glm::normalize(b - a) : Vec<3>(0);
-      middle = glm::normalize(middle - glm::dot(middle, across) * across);
-      Vec<3> normal = glm::cross(axis.direction, middle);
-      double nearest = kNearMiddle;
-      for (const Corner *corner : v.corners) {
-        Vec<3> d = v.node(corner->node) - axis.centre;
-        d -= glm::dot(d, axis.direction) * axis.direction;
-        if (glm::length(d) <= kOnAxis * v.mesh.size) continue;
-        const double cosine = glm::dot(glm::normalize(d), middle);
-        if (cosine <= nearest) continue;
-        nearest = cosine;
-        normal = glm::cross(axis.direction, glm::normalize(d));
-      }
-      best = Proposal{planeSurface(axis.centre, normal), chain.nodes};
+      const Vec<3> a = glm::normalize(v.node(chain.nodes.front()) - axis.centre);
+      const Vec<3> b = glm::normalize(v.node(chain.nodes.back()) - axis.centre);
+      const Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
+      // Half the angle between the ends, or 180 degrees less that, as the middle lies between or beyond them.
+      const double half = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2;
+      arcs.push_back({glm::dot(a + b, middle) >= 0 ? half : std::numbers::pi - half, std::move(chain), axis});
     }
   }
-  return best;
+  std::stable_sort(arcs.begin(), arcs.end(), [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
+  if (arcs.empty()) return std::nullopt;
+  auto &[turn, chain, axis] = arcs[0];
+  if (arcs.size() > 1 && arcs[1].turn > 0.9 * turn) {
+    const Vec<3> along = arcs[1].axis.centre - axis.centre;
+    if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along)) axis.direction = glm::normalize(along);
+  }
+  Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
+  const Vec<3> across = v.node(chain.nodes.back()) - v.node(chain.nodes.front());
+  if (glm::length(across) > 0) middle -= glm::dot(middle, across) / glm::dot(across, across) * across;
+  const auto flat = [&](const Vec<3> &x) { return x - glm::dot(x, axis.direction) * axis.direction; };
+  middle = glm::normalize(flat(middle));
+  Vec<3> towards = middle;
+  double nearest = kNearMiddle;
+  for (const Corner *corner : v.corners) {
+    const Vec<3> d = flat(v.node(corner->node) - axis.centre);
+    if (glm::length(d) <= kOnAxis * v.mesh.size) continue;
+    const double cosine = glm::dot(glm::normalize(d), middle);
+    if (cosine <= nearest) continue;
+    nearest = cosine;
+    towards = glm::normalize(d);
+  }
+  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)), halfOf(v, chain, axis, towards)};
 }
 
 std::vector<Proposal> proposals(const PartView &v) {
@@ -254,17 +315,18 @@ std::vector<Proposal> proposals(const PartView &v) {
     add(halve(v));
     return list;
   }
-  std::vector<Chain> loops;
+  std::vector<Loop> loops;
   std::vector<std::vector<Chain>> several;
   for (const Curve<3> *curve : v.curves) {
     if (curve->open) continue;
     std::vector<Chain> chains = chainsOf(*curve);
     for (const Chain &chain : chains)
-      if (chain.closed) loops.push_back(chain);
+      if (chain.closed) loops.push_back({chain, curve->sides});
     if (chains.size() > 1) several.push_back(std::move(chains));
   }
   for (const auto &chains : several) add(separate(v, chains));
-  for (const Chain &loop : loops) add(alongAxis(v, loop, loops));
+  for (const Loop &loop : loops)
+    for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
   add(betweenCorners(v));
   for (const Index *side = first; side != last; ++side)
     if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side)) add(acrossArc(v, *side));

@@ -3,23 +3,6 @@
 #include <cmath>
 
 namespace dualblock {
-namespace {
-
-/// The node half way along an open chain, by length.
-Vec<3> middleOf(const Chain &chain, const std::vector<Vec<3>> &nodes) {
-  double total = 0;
-  for (const Segment<3> &s : segmentsOf(chain, nodes)) total += glm::length(s[1] - s[0]);
-  double rest = total / 2;
-  for (const Segment<3> &s : segmentsOf(chain, nodes)) {
-    const double length = glm::length(s[1] - s[0]);
-    if (rest <= length) return s[0] + (length > 0 ? rest / length : 0) * (s[1] - s[0]);
-    rest -= length;
-  }
-  return nodes[at(chain.nodes.back())];
-}
-
-} // namespace
-
 std::vector<Chain> chainsOf(const Curve<3> &curve) {
   std::vector<std::array<Index, 2>> links; // each ridge from both ends
   for (const auto &[a, b] : curve.ridges) {
@@ -88,7 +71,7 @@ bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
     return true;
   }
   const Vec<3> a = nodes[at(chain.nodes.front())];
-  const Vec<3> b = middleOf(chain, nodes) - a;
+  const Vec<3> b = nodes[at(chain.nodes[chain.nodes.size() / 2])] - a;
   const Vec<3> c = nodes[at(chain.nodes.back())] - a;
   const Vec<3> normal = glm::cross(b, c);
   const double square = glm::dot(normal, normal);

@@ -186,6 +186,39 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, c
   return surface;
 }
 
+/// The plane of a facet that arrives at the ridge from behind the other two, where an assembly's regions meet, if it
+/// leaves both sectors at least 45 degrees: a cut that goes on in it needs no new direction.
+template <int N>
+std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const RidgeFrame<N> &frame,
+                                    Index facetSurfaces) {
+  std::optional<Plane<N>> found;
+  const auto inspect = [&](Index s) {
+    for (int i = 0; i < N + 1; ++i) {
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag == kNone || found) continue;
+      const Index surface = FaceTag::surface(tag);
+      if (surface >= facetSurfaces || surface == FaceTag::surface(frame.tags[0]) ||
+          surface == FaceTag::surface(frame.tags[1]))
+        continue;
+      bool holdsRidge = true;
+      for (int v = 0; v < N + 1; ++v) {
+        if (v == ridge.from || v == ridge.to) continue;
+        const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
+        holdsRidge &= here >= 0 && here != i;
+      }
+      if (!holdsRidge) continue;
+      const Plane<N> &plane = mesh.surfaces[at(surface)].plane;
+      double direction = std::atan2(glm::dot(plane.normal, frame.into), glm::dot(plane.normal, frame.outward));
+      if (direction < 0) direction += pi;
+      if (direction >= pi / 4 && direction <= frame.angle - pi / 4) found = plane;
+    }
+  };
+  const FaceRef<N> stop = turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, kCrossAll, inspect);
+  if (mesh.neighbors[at(stop.simplex)][stop.face] == kNone)
+    turnAroundRidge(mesh, ridge.simplex, ridge.to, ridge.from, kCrossAll, inspect);
+  return found;
+}
+
 /// Cuts along one sector plane of one run. Returns whether there was something to cut.
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run, std::size_t sector,
@@ -196,6 +229,9 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
   const auto &first = curve.ridges[run[0]];
   const auto ridge = findRidge(mesh, first.front(), first.back(), f, g, options.facetSurfaces);
   if (!ridge) return false;
+  if (!surface.field && curveKind(curve.angle) == CurveKind::side)
+    if (const auto beyond = facetBeyond(mesh, *ridge, curve.frames[run[0]], options.facetSurfaces))
+      surface.plane = *beyond;
   if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
     return false;
   const Index number = toIndex(mesh.surfaces.size());

@@ -106,19 +106,28 @@ std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Do
   return inside;
 }
 
+/// The simplex that holds x deepest, by its barycentric coordinates; kNone where x is outside of all by more than
+/// rounding. Points given by users often lie on faces.
 template <int N> Index locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
+  constexpr double kOnFace = -1e-9;
   std::vector<Vec<N>> nodes = mesh.nodes;
   nodes.push_back(x);
+  Index best = kNone;
+  double deepest = kOnFace;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    bool inside = true;
-    for (int i = 0; i < N + 1 && inside; ++i) {
+    const double whole = orientation<N>(mesh.nodes, mesh.simplices[at(s)]);
+    if (!(whole > 0)) continue;
+    double depth = 1;
+    for (int i = 0; i < N + 1 && depth > deepest; ++i) {
       auto corner = mesh.simplices[at(s)];
       corner[i] = mesh.nodeCount();
-      inside = orientation<N>(nodes, corner) >= 0; // on a face counts
+      depth = std::min(depth, orientation<N>(nodes, corner) / whole);
     }
-    if (inside) return s;
+    if (depth <= deepest) continue;
+    deepest = depth;
+    best = s;
   }
-  return kNone;
+  return best;
 }
 
 template <int N> bool insideBox(const std::vector<Vec<N>> &vertices, const Vec<N> &x) {
