@@ -99,24 +99,33 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
                               r.dual, r.surfaces, r.primal, r.domain.deviation});
 }
 
-/// Components whose parts are not simple, or give more blocks than the fallback would.
+/// The source of each component's parts: the one that gives fewest blocks, cuts before others. `limits`: blocks of the
+/// reference simplices, empty where cuts serve all that they should.
 template <int N>
-std::vector<bool> wantFallback(const PipelineResult<N> &r, const std::vector<double> &limits, std::string &reason) {
-  std::vector<bool> replace(at(r.mesh.componentCount), false);
+std::vector<PartSource> chooseSources(const PipelineResult<N> &r, const Decomposition<N> &decomposition,
+                                      const std::vector<double> &limits, std::string &reason) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
+  std::vector<double> cuts(at(r.mesh.componentCount), 0);
+  for (const Corner &corner : r.parts.corners) cuts[at(component[at(corner.part)])] += 1;
   for (std::size_t p = 0; p < r.parts.parts.size(); ++p) {
     if (r.parts.parts[p].simple) continue;
     if (reason.empty()) reason = "a part could not be made simple: " + r.parts.parts[p].why;
-    replace[at(component[p])] = true;
+    cuts[at(component[p])] = kNever;
   }
-  std::vector<double> blocks(at(r.mesh.componentCount), 0);
-  for (const Corner &corner : r.parts.corners) blocks[at(component[at(corner.part)])] += 1;
-  for (std::size_t c = 0; c < blocks.size(); ++c) {
-    if (limits.empty() || blocks[c] <= limits[c]) continue;
-    if (reason.empty()) reason = "the cut parts would give more blocks than the reference simplices";
-    replace[c] = true;
+  std::vector<PartSource> source(cuts.size(), PartSource::cuts);
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    if (decomposition.gaveUp[c]) {
+      cuts[c] = kNever;
+      reason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
+    }
+    const double pulled = decomposition.pulled ? decomposition.pulled->blocks[c] : kNever;
+    const double simplices = limits.empty() ? kNever : limits[c];
+    if (cuts[c] < kNever && cuts[c] <= std::min(pulled, simplices)) continue;
+    source[c] = pulled < kNever && pulled <= simplices ? PartSource::pulled : PartSource::simplices;
+    if (reason.empty()) reason = "the cut parts would give more blocks than simplices";
   }
-  return replace;
+  return source;
 }
 
 template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coarse) {
@@ -125,10 +134,10 @@ template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coar
   return blocks;
 }
 
-/// The components of what the certificate's failures name, of those not yet replaced; all of them where a failure
+/// The components of what the certificate's failures name, of those that can still change; all of them where a failure
 /// names nothing that belongs to one.
-template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std::vector<bool> &replaced) {
-  std::vector<bool> blame(replaced.size(), false);
+template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std::vector<PartSource> &source) {
+  std::vector<bool> blame(source.size(), false);
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
   std::vector<Index> ofFacet(r.domain.domain.facets.size(), kNone);
   for (const Side &side : r.parts.sides)
@@ -144,7 +153,7 @@ template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std:
       if (e.kind == "node" || e.kind == "cell") c = component[at(r.dual.pieces[at(r.primal.nodePiece[at(k)])].part)];
       if (e.kind == "simplex") c = r.mesh.component[at(k)];
       if (e.kind == "facet") c = ofFacet[at(k)];
-      if (c == kNone || replaced[at(c)]) continue;
+      if (c == kNone || source[at(c)] == PartSource::simplices) continue;
       blame[at(c)] = true;
       found = true;
     }
@@ -181,10 +190,6 @@ void checkMatchingOnly(PipelineResult<2> &r) {
   for (const MatchingFault &fault :
        checkGivenContributions(r.mesh, domain.reference->simplices, domain.contributions))
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
-}
-
-bool any(const std::vector<bool> &flags) {
-  return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
 } // namespace
@@ -268,24 +273,32 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   r.features.nodeSides = {};
   r.features.sideFaces = {};
 
-  // Components that the cuts cannot serve are replaced by their reference simplices: those that gave up, those with
-  // parts that are not simple, and those that the certificate blames.
-  std::vector<bool> replace = decomposition.gaveUp;
-  if (any(replace))
-    r.fallbackReason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
-  const std::vector<bool> unfit = wantFallback(r, limits, r.fallbackReason);
-  for (std::size_t c = 0; c < replace.size(); ++c) replace[c] = replace[c] || unfit[c];
+  // Components that the cuts cannot serve get simplices for parts; so do those, later, that the certificate blames.
+  if (std::find(decomposition.gaveUp.begin(), decomposition.gaveUp.end(), true) != decomposition.gaveUp.end()) limitOf(0);
+  if (std::any_of(r.parts.parts.begin(), r.parts.parts.end(), [](const PartInfo &p) { return !p.simple; })) limitOf(0);
+  std::vector<PartSource> source = chooseSources(r, decomposition, limits, r.fallbackReason);
+  const auto count = [&](PartSource wanted) {
+    return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
+  };
   std::vector<bool> everyFace;
   for (int attempt = 0;; ++attempt) {
-    if (any(replace)) {
+    r.fallbackComponents = count(PartSource::simplices);
+    r.pulledComponents = count(PartSource::pulled);
+    if (r.fallbackComponents + r.pulledComponents > 0) {
       clock.start("fallback", 0.4);
-      const ReferenceMesh<N> *const mesh = needCoarse();
-      if (!mesh) return *coarseError;
-      FallbackMesh<N> fallback = applyFallback(r.mesh, *mesh, replace);
-      r.mesh = std::move(fallback.mesh);
-      everyFace = std::move(fallback.everyFace);
+      const ReferenceMesh<N> *const mesh = r.fallbackComponents > 0 ? needCoarse() : nullptr;
+      if (!mesh && r.fallbackComponents > 0) return *coarseError;
+      const ReferenceMesh<N> *pulled = nullptr;
+      const std::vector<bool> *pulledFace = nullptr;
+      if constexpr (N == 3)
+        if (decomposition.pulled) {
+          pulled = &decomposition.pulled->mesh;
+          pulledFace = &decomposition.pulled->everyFace;
+        }
+      MixedMesh<N> mixed = mixMeshes(r.mesh, pulled, pulledFace, mesh, source);
+      r.mesh = std::move(mixed.mesh);
+      everyFace = std::move(mixed.everyFace);
       partOptions.everyFace = &everyFace;
-      r.fallbackComponents = toIndex(static_cast<std::size_t>(std::count(replace.begin(), replace.end(), true)));
       if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
         r.cuts = r.vertexCuts = r.bentCuts = 0;
         r.repairs = 0;
@@ -305,10 +318,17 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       r.fallbackReason = built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
                                : "repairs of the reference mesh did not end";
     const std::vector<bool> more =
-        built && attempt < kBlameRounds ? blamed(r, replace) : std::vector<bool>(replace.size(), true);
-    for (std::size_t c = 0; c < replace.size(); ++c) replace[c] = replace[c] || more[c];
+        built && attempt < kBlameRounds ? blamed(r, source) : std::vector<bool>(source.size(), true);
+    for (std::size_t c = 0; c < source.size(); ++c) {
+      if (!more[c]) continue;
+      const bool canPull = decomposition.pulled && decomposition.pulled->blocks[c] < std::numeric_limits<double>::infinity();
+      source[c] = source[c] == PartSource::cuts && canPull ? PartSource::pulled : PartSource::simplices;
+    }
     r.certificate = {};
   }
+  if (decomposition.pulled)
+    for (std::size_t c = 0; c < source.size(); ++c)
+      if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
   clock.stop();
   return r;
 }

@@ -42,6 +42,8 @@ template <int N> struct PipelineResult {
   Index bentSides = 0;  // of the domain
   Index repairs = 0;            // nodes added by repairs of conditions (a) and (b)
   Index fallbackComponents = 0; // components where every reference simplex became a part
+  Index pulledComponents = 0;   // components where only parts that are not simple became simplices
+  Index pulledParts = 0;        // those parts
   std::string fallbackReason;
   Parts<N> parts;
   Contributions<N> contributions;

@@ -279,8 +279,9 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   }
   std::stable_sort(arcs.begin(), arcs.end(), [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
   if (arcs.empty()) return std::nullopt;
-  auto &[turn, chain, axis] = arcs[0];
-  if (arcs.size() > 1 && arcs[1].turn > 0.9 * turn) {
+  const Chain &chain = arcs[0].chain;
+  Axis axis = arcs[0].axis;
+  if (arcs.size() > 1 && arcs[1].turn > 0.9 * arcs[0].turn) {
     const Vec<3> along = arcs[1].axis.centre - axis.centre;
     if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along)) axis.direction = glm::normalize(along);
   }

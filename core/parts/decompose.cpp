@@ -424,8 +424,14 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
       result.parts = buildParts(mesh, partOptions);
       budget.update(mesh);
     }
-    for (int round = 0; round < kVertexRounds; ++round) {
-      budget.limitBlocks(mesh, result.parts, options.blockLimit);
+    const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
+                                    [](const Corner &c) { return c.sides.size() > 3; });
+    if (needed) result.pulled = pullParts(mesh, result.parts);
+    const auto limit = [&](Index component) {
+      return std::min(options.blockLimit(component), result.pulled->blocks[at(component)]);
+    };
+    for (int round = 0; needed && round < kVertexRounds; ++round) {
+      budget.limitBlocks(mesh, result.parts, limit);
       const Index cuts = cutCorners(mesh, result.parts, options, budget.gaveUp);
       if (cuts == 0) break;
       result.vertexCuts += cuts;

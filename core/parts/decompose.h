@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "parts/features.h"
+#include "parts/pull.h"
 
 namespace dualblock {
 
@@ -20,6 +22,7 @@ template <int N> struct Decomposition {
   Index cuts = 0;       // split surfaces added
   Index vertexCuts = 0; // those of rule 2, by vertices
   Index bentCuts = 0;   // those of rule 3, by bent sides
+  std::optional<PulledMesh> pulled; // of the parts before rule 2, where that had something to do
   std::vector<bool> gaveUp; // per component: the block limit was reached, or cuts multiplied the simplices
 };
 

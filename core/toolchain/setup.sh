@@ -11,7 +11,7 @@ fail() {
 
 packages='g++ cmake ninja-build emscripten libglm-dev libgtest-dev nlohmann-json3-dev'
 if [ "${1:-}" = test ]; then
-  packages="$packages clang-format clang-tidy"
+  packages="$packages clang-format clang-tidy clang libclang-rt-14-dev"
   [ -n "${CHROMIUM:-}" ] || packages="$packages chromium"
 fi
 

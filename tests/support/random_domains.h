@@ -187,8 +187,34 @@ inline Domain<3> randomRound(RandomSource &random) {
   return domain;
 }
 
+/// A hull with prisms of their own regions on some of its facets: parts that need no cut around one that does.
+inline Domain<3> randomGem(RandomSource &random) {
+  Domain<3> domain = randomHull(random);
+  domain.name = "gem";
+  domain.isSolid = true;
+  const std::size_t facets = domain.facets.size();
+  Index region = 1;
+  Vec<3> middle{0.0};
+  for (const Vec<3> &v : domain.vertices) middle += v / static_cast<double>(domain.vertices.size());
+  domain.regions.push_back({middle, region});
+  for (std::size_t f = 0; f < facets; ++f) {
+    if (!random.chance(0.6)) continue;
+    const std::vector<Index> base = domain.facets[f].loops[0];
+    std::array<Vec<3>, 3> x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = domain.vertices[at(base[k])];
+    const Vec<3> out = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])) * random.real(0.3, 1);
+    const Index first = toIndex(domain.vertices.size());
+    for (const Vec<3> &v : x) domain.vertices.push_back(v + out);
+    for (Index k = 0; k < 3; ++k)
+      domain.facets.push_back({{{base[at(k)], base[at((k + 1) % 3)], first + (k + 1) % 3, first + k}}});
+    domain.facets.push_back({{{first, first + 1, first + 2}}});
+    domain.regions.push_back({(x[0] + x[1] + x[2]) / 3.0 + 0.5 * out, ++region});
+  }
+  return domain;
+}
+
 /// Kinds of random solids, for tests that go through all of them.
-inline constexpr int kRandomKinds = 6;
+inline constexpr int kRandomKinds = 7;
 
 /// The solid of a kind and a seed; every third one sheared, every other one turned, some of them tiny, huge or far away.
 inline Domain<3> randomSolid(int kind, std::uint32_t seed) {
@@ -198,7 +224,8 @@ inline Domain<3> randomSolid(int kind, std::uint32_t seed) {
                      : kind == 2 ? randomBoxes(random, true)
                      : kind == 3 ? randomBoxes(random, false)
                      : kind == 4 ? randomAssembly(random)
-                                 : randomRound(random);
+                     : kind == 5 ? randomRound(random)
+                                 : randomGem(random);
   const auto apply = [&](const auto &map) {
     for (Vec<3> &v : domain.vertices) v = map(v);
     for (auto &region : domain.regions) region.point = map(region.point);

@@ -1,0 +1,155 @@
+#include "parts/pull.h"
+
+#include <limits>
+#include <map>
+
+namespace dualblock {
+namespace {
+
+/// Sides as polygons: their corners in a cycle. Empty where a side's curves form no single cycle.
+std::vector<std::vector<Index>> sidePolygons(const Parts<3> &parts) {
+  std::vector<std::vector<std::array<Index, 2>>> edges(parts.sides.size());
+  for (const Curve<3> &curve : parts.curves) {
+    std::map<Index, int> uses;
+    for (const auto &ridge : curve.ridges)
+      for (const Index node : ridge) ++uses[node];
+    std::array<Index, 2> ends{kNone, kNone};
+    for (const auto &[node, n] : uses)
+      if (n == 1) ends[ends[0] == kNone ? 0 : 1] = node;
+    for (const Index side : curve.sides) edges[at(side)].push_back(curve.open ? ends : std::array<Index, 2>{kNone, kNone});
+  }
+  std::vector<std::vector<Index>> polygons(parts.sides.size());
+  for (std::size_t side = 0; side < edges.size(); ++side) {
+    auto &list = edges[side];
+    std::vector<Index> cycle;
+    Index here = list.empty() ? kNone : list[0][0];
+    while (here != kNone && !list.empty()) {
+      const auto next = std::find_if(list.begin(), list.end(),
+                                     [&](const auto &e) { return e[0] == here || e[1] == here; });
+      if (next == list.end()) break;
+      cycle.push_back(here);
+      here = (*next)[0] == here ? (*next)[1] : (*next)[0];
+      list.erase(next);
+    }
+    if (list.empty() && cycle.size() >= 3 && here == cycle[0]) polygons[side] = std::move(cycle);
+  }
+  return polygons;
+}
+
+/// Parts of each component in the closure of what is not simple: over split sides that are no triangles.
+std::vector<bool> closureOf(const Parts<3> &parts, const std::vector<std::vector<Index>> &polygons) {
+  std::vector<bool> inside(parts.parts.size(), false);
+  std::vector<Index> queue;
+  for (Index p = 0; p < toIndex(parts.parts.size()); ++p)
+    if (!parts.parts[at(p)].simple) {
+      inside[at(p)] = true;
+      queue.push_back(p);
+    }
+  for (std::size_t head = 0; head < queue.size(); ++head)
+    for (const Index *side = parts.partSides.begin(queue[head]); side != parts.partSides.end(queue[head]); ++side) {
+      const Index opposite = parts.sides[at(*side)].opposite;
+      if (opposite == kNone || polygons[at(*side)].size() == 3) continue;
+      const Index p = parts.sides[at(opposite)].part;
+      if (inside[at(p)]) continue;
+      inside[at(p)] = true;
+      queue.push_back(p);
+    }
+  return inside;
+}
+
+} // namespace
+
+PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
+  const std::vector<std::vector<Index>> polygons = sidePolygons(parts);
+  const std::vector<bool> simplify = closureOf(parts, polygons);
+  const std::vector<Index> component = componentOfParts(mesh, parts);
+  PulledMesh result;
+  result.blocks.assign(at(mesh.componentCount), 0);
+  result.simplified.assign(at(mesh.componentCount), 0);
+  ReferenceMesh<3> &out = result.mesh;
+  out.size = mesh.size;
+  out.surfaces = mesh.surfaces;
+  out.componentCount = mesh.componentCount;
+  const Index inner = toIndex(out.surfaces.size());
+  out.surfaces.push_back({SurfaceKind::simplexFace, kNone, {}});
+
+  std::vector<Index> number(mesh.nodes.size(), kNone);
+  const auto nodeOf = [&](Index node) {
+    Index &n = number[at(node)];
+    if (n == kNone) {
+      n = out.nodeCount();
+      out.nodes.push_back(mesh.nodes[at(node)]);
+    }
+    return n;
+  };
+  std::map<std::array<Index, 3>, Index> tagOf; // per part: faces on its sides
+  for (Index p = 0; p < toIndex(parts.parts.size()); ++p) {
+    const std::size_t c = at(component[at(p)]);
+    const auto cannot = [&] { result.blocks[c] = std::numeric_limits<double>::infinity(); };
+    Index apex = std::numeric_limits<Index>::max();
+    std::size_t corners = 0;
+    for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
+      const auto &polygon = polygons[at(*side)];
+      const Surface<3> &surface = mesh.surfaces[at(FaceTag::surface(parts.sides[at(*side)].tag))];
+      const bool split = surface.kind != SurfaceKind::facet;
+      if (polygon.empty() || surface.bent || (split && parts.sides[at(*side)].opposite == kNone)) cannot();
+      for (const Index node : polygon) apex = std::min(apex, node);
+      corners += polygon.size();
+    }
+    if (result.blocks[c] == std::numeric_limits<double>::infinity()) continue;
+    // Pulling: each side from its lowest corner, the part from its own; so neighbours divide a common side alike.
+    tagOf.clear();
+    std::vector<std::array<Index, 4>> simplices;
+    for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
+      std::vector<Index> cycle = polygons[at(*side)];
+      std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+      for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
+        std::array<Index, 3> face{cycle[0], cycle[k], cycle[k + 1]};
+        std::sort(face.begin(), face.end());
+        tagOf[face] = parts.sides[at(*side)].tag;
+        if (cycle[0] != apex && std::find(cycle.begin(), cycle.end(), apex) == cycle.end())
+          simplices.push_back({apex, cycle[0], cycle[k], cycle[k + 1]});
+      }
+    }
+    const Index first = out.simplexCount();
+    for (std::array<Index, 4> &s : simplices) {
+      double volume = orientation<3>(mesh.nodes, s);
+      if (volume < 0) {
+        std::swap(s[2], s[3]);
+        volume = -volume;
+      }
+      if (!(volume > 1e-14 * mesh.size * mesh.size * mesh.size)) cannot();
+      std::array<Index, 4> tags;
+      for (int i = 0; i < 4; ++i) {
+        std::array<Index, 3> face;
+        for (int v = 0, m = 0; v < 4; ++v)
+          if (v != i) face[at(m++)] = s[at(v)];
+        std::sort(face.begin(), face.end());
+        const auto known = tagOf.find(face);
+        tags[at(i)] = known == tagOf.end() ? kNone : known->second;
+      }
+      for (Index &v : s) v = nodeOf(v);
+      out.simplices.push_back(s);
+      out.tags.push_back(tags);
+      out.region.push_back(parts.parts[at(p)].region);
+      out.component.push_back(toIndex(c));
+      result.everyFace.push_back(simplify[at(p)]);
+    }
+    if (simplify[at(p)]) {
+      ++result.simplified[c];
+      result.blocks[c] += 4.0 * (out.simplexCount() - first);
+    } else {
+      result.blocks[c] += static_cast<double>(corners) / 3; // each corner of a simple part has three sides
+    }
+  }
+  connect(out);
+  for (Index s = 0; s < out.simplexCount(); ++s)
+    for (int i = 0; i < 4; ++i) {
+      const Index t = out.neighbors[at(s)][at(i)];
+      if (t == kNone || out.tags[at(s)][at(i)] != kNone || !result.everyFace[at(s)]) continue;
+      out.tags[at(s)][at(i)] = s < t ? FaceTag::back(inner) : FaceTag::front(inner);
+    }
+  return result;
+}
+
+} // namespace dualblock
