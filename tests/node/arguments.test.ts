@@ -6,6 +6,7 @@ import { helpText, options } from '../../wasm/cli/options.ts';
 const parse = (line: string): unknown => parseArguments(line.split(' ').filter((word) => word !== ''));
 const plain = { kind: 'run', outputs: [], report: null, quiet: false, settings: {} };
 const file = { kind: 'file', path: 'a.json' };
+const check = { kind: 'check', mesh: 'a.vtk', domain: null, report: null, settings: {} };
 
 describe('parseArguments', () => {
   it.each<[string, unknown]>([
@@ -34,6 +35,19 @@ describe('parseArguments', () => {
         settings: { reference: 0.5, seed: 4294967295, tolerance: 1e-8 },
       },
     ],
+    ['--check a.vtk', check],
+    ['a.vtk --check', check],
+    ['--check a.vtk a.json --quiet', { ...check, domain: file }],
+    [
+      '--check a.vtk --example house --report -',
+      { ...check, domain: { kind: 'example', name: 'house' }, report: '-' },
+    ],
+    [
+      '--check a.vtk a.json --tolerance 1e-8 --feature-angle 20',
+      { ...check, domain: file, settings: { tolerance: 1e-8, featureAngle: 20 } },
+    ],
+    ['--check a.vtk --feature-angle auto', { ...check, settings: { featureAngle: 'auto' } }],
+    ['--check --help', { kind: 'help' }],
   ])('takes %j', (line, expected) => {
     expect(parse(line)).toEqual(expected);
   });
@@ -70,6 +84,19 @@ describe('parseArguments', () => {
     ['a.json --reference 0x10', /--reference cannot be/, /over 0/],
     ['a.json --tolerance 1', /--tolerance cannot be/, /under 1/],
     ['a.json --tolerance nan', /--tolerance cannot be/, /number/],
+    ['--check', /no mesh/, /name a .vtk/],
+    ['--check -', /standard input/, /name a file/],
+    ['--check a.vtk b.json c.json', /2 domains.*"b.json", "c.json"/, /one mesh and one domain/],
+    ['--check a.vtk b.json --example house', /both/, /one of them/],
+    ['--check a.vtk -', /standard input/, /name a file/],
+    ['--check a.vtk -o b.vtk', /--output does not go/, /leave it out/],
+    ['--check a.vtk --seed 1', /--seed does not go/, /leave it out/],
+    ['--check a.vtk --reference 1', /--reference does not go/, /leave it out/],
+    ['--check a.vtk --tolerance 2', /--tolerance cannot be "2"/, /under 1/],
+    ['--check a.vtk --feature-angle 181', /--feature-angle cannot be "181"/, /0 to 180/],
+    ['--check a.vtk b.json --report b.json', /report would replace "b.json"/, /name of its own/],
+    ['--check=yes a.vtk', /takes no value/, /only --check/],
+    ['--chek a.vtk', /no option --chek/, /--check/],
   ])('refuses %j', (line, message, remedy) => {
     let error: unknown;
     try {

@@ -28,6 +28,15 @@ export type Command =
       report: string | null;
       quiet: boolean;
       settings: GivenSettings;
+    }
+  | {
+      kind: 'check';
+      /** The file with the mesh. */
+      mesh: string;
+      /** The domain that it should be a mesh of; null to check it by itself. */
+      domain: Source | null;
+      report: string | null;
+      settings: Pick<GivenSettings, 'tolerance' | 'featureAngle'>;
     };
 
 /** A command line that breaks the contract: the program prints message and remedy and exits with 2. */
@@ -59,6 +68,8 @@ export function parseArguments(words: readonly string[]): Command {
     throw new UsageError('--list-examples goes with nothing else', 'write only dualblock --list-examples');
   }
 
+  if (given.has('check')) return checkOf(inputs, given);
+
   const outputs = given.get('output') ?? [];
   if (outputs.includes('-')) {
     throw new UsageError('the mesh cannot be written to standard output', 'name a file: -o mesh.vtk');
@@ -75,6 +86,39 @@ export function parseArguments(words: readonly string[]): Command {
     report,
     quiet: given.has('quiet'),
     settings: settingsOf(first),
+  };
+}
+
+function checkOf(inputs: string[], given: Map<string, string[]>): Command {
+  for (const name of ['output', 'reference', 'seed'])
+    if (given.has(name)) throw new UsageError(`--${name} does not go with --check`, 'leave it out');
+  const first = (name: string): string | undefined => given.get(name)?.[0];
+  const [mesh, ...others] = inputs;
+  if (mesh === undefined)
+    throw new UsageError('there is no mesh to check', 'name a .vtk, .mesh or .json file');
+  if (mesh === '' || mesh === '-')
+    throw new UsageError('the mesh is not read from standard input', 'name a file');
+  if (others.length > 1)
+    throw new UsageError(
+      `there are ${others.length} domains: ${others.map(quote).join(', ')}`,
+      'give one mesh and one domain',
+    );
+  const example = first('example');
+  const domain = others.length === 0 && example === undefined ? null : sourceOf(others, example);
+  const tolerance = first('tolerance');
+  const featureAngle = first('feature-angle');
+  const report = first('report') ?? null;
+  if (report !== null && inputs.includes(report))
+    throw new UsageError(`the report would replace ${quote(report)}`, 'give it a name of its own');
+  return {
+    kind: 'check',
+    mesh,
+    domain,
+    report,
+    settings: {
+      ...(tolerance === undefined ? {} : { tolerance: between('tolerance', tolerance, 1, kToleranceHint) }),
+      ...(featureAngle === undefined ? {} : { featureAngle: angleOf(featureAngle) }),
+    },
   };
 }
 
@@ -137,6 +181,8 @@ function sourceOf(inputs: string[], example: string | undefined): Source {
   );
 }
 
+const kToleranceHint = 'a number over 0 and under 1, such as 1e-8';
+
 function settingsOf(first: (name: string) => string | undefined): GivenSettings {
   const settings: GivenSettings = {};
   const reference = first('reference');
@@ -155,15 +201,17 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
       throw badValue('seed', seed, 'a whole number from 0 to 4294967295');
   }
   if (tolerance !== undefined) {
-    settings.tolerance = between('tolerance', tolerance, 1, 'a number over 0 and under 1, such as 1e-8');
+    settings.tolerance = between('tolerance', tolerance, 1, kToleranceHint);
   }
-  if (featureAngle !== undefined) {
-    const degrees = /^\d+\.?\d*$/.test(featureAngle) ? Number(featureAngle) : Number.NaN;
-    if (featureAngle !== 'auto' && !(degrees <= 180))
-      throw badValue('feature-angle', featureAngle, 'auto, or degrees from 0 to 180');
-    settings.featureAngle = featureAngle === 'auto' ? 'auto' : degrees;
-  }
+  if (featureAngle !== undefined) settings.featureAngle = angleOf(featureAngle);
   return settings;
+}
+
+function angleOf(value: string): number | 'auto' {
+  if (value === 'auto') return value;
+  const degrees = /^\d+\.?\d*$/.test(value) ? Number(value) : Number.NaN;
+  if (degrees <= 180) return degrees;
+  throw badValue('feature-angle', value, 'auto, or degrees from 0 to 180');
 }
 
 /** The decimal number that a value spells, over 0 and under `limit`. */

@@ -1,28 +1,17 @@
-// The command line: `npx dualblock INPUT [-o OUTPUT ...] [--report FILE|-]`.
-import { readFile, writeFile } from 'node:fs/promises';
+// The command line: `npx dualblock INPUT [-o OUTPUT ...] [--report FILE|-]`, and the other words of it.
+import { readFile } from 'node:fs/promises';
 import { version } from '../../package.json';
-import { Dualblock, defaultSettings, formatOf, type Settings } from '../dualblock.ts';
-import { DualblockError } from '../io/errors.ts';
+import { Dualblock, defaultSettings, type Settings } from '../dualblock.ts';
 import { meshWriter } from '../io/write-mesh.ts';
 import { describe, makeErrorReport, makeReport } from '../report.ts';
 import { type Command, type GivenSettings, parseArguments, UsageError } from './arguments.ts';
+import { check } from './check.ts';
+import { asDualblockError, exitStatus, statusOf } from './exit-status.ts';
+import { putReport, readExamples, readSource, save } from './files.ts';
 import { helpText } from './options.ts';
 import { makeProgress } from './progress.ts';
 
 type Run = Extract<Command, { kind: 'run' }>;
-
-// This file is bundled into wasm/build/cli.mjs.
-const root = new URL('../../', import.meta.url);
-const exitStatus = { certified: 0, badInput: 1, badUsage: 2, noValidMesh: 3 };
-const notTheInputsFault = ['tetgenFailed', 'outOfMemory', 'noValidMesh', 'internal'];
-
-interface ExampleIndex {
-  examples: { name: string; title: string; figure: string; dimension: number }[];
-}
-
-async function readExamples(): Promise<ExampleIndex> {
-  return JSON.parse(await readFile(new URL('public/examples/index.json', root), 'utf8')) as ExampleIndex;
-}
 
 async function listExamples(): Promise<string> {
   const { examples } = await readExamples();
@@ -32,48 +21,15 @@ async function listExamples(): Promise<string> {
     .join('');
 }
 
-/** The input's name and bytes. Throws UsageError for an unknown example, DualblockError for a file. */
-async function readSource(source: Run['source']): Promise<{ name: string; bytes: Uint8Array }> {
-  if (source.kind === 'example') {
-    const { examples } = await readExamples();
-    if (!examples.some((e) => e.name === source.name))
-      throw new UsageError(`there is no example "${source.name}"`, 'see dualblock --list-examples');
-    const name = `${source.name}.json`;
-    return { name, bytes: await readFile(new URL(`public/examples/${name}`, root)) };
-  }
-  formatOf(source.path);
-  try {
-    return { name: source.path, bytes: await readFile(source.path) };
-  } catch (error) {
-    const reason = (error as NodeJS.ErrnoException).code === 'ENOENT' ? 'does not exist' : 'cannot be read';
-    throw new DualblockError('fileUnreadable', `${source.path} ${reason}: check its name and permissions.`, [
-      { kind: 'file', index: 0 },
-    ]);
-  }
-}
-
 const settingsOf = ({ reference, ...given }: GivenSettings): Settings => ({
   ...defaultSettings,
   ...given,
   ...(typeof reference === 'number' ? { edgeLength: reference } : {}),
 });
 
-async function save(path: string, text: string): Promise<void> {
-  try {
-    await writeFile(path, text);
-  } catch {
-    throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
-  }
-}
-
 async function run(command: Run): Promise<number> {
   const settings = settingsOf(command.settings);
   const writers = command.outputs.map((path) => ({ path, write: outputWriter(path) }));
-  const putReport = async (report: unknown) => {
-    const text = `${JSON.stringify(report, null, 1)}\n`;
-    if (command.report === '-') process.stdout.write(text);
-    else if (command.report !== null) await save(command.report, text);
-  };
   const inputName = command.source.kind === 'example' ? command.source.name : command.source.path;
   const progress = makeProgress(command.quiet);
   const core = await Dualblock.create({
@@ -85,29 +41,24 @@ async function run(command: Run): Promise<number> {
     const result = core.run(settings, progress.update);
     progress.end();
     const report = makeReport(result, settings, core.memory().peak);
-    await putReport(report);
+    await putReport(command.report, report);
     if (command.report !== '-') process.stdout.write(`${describe(report)}\n`);
     if (!result.certificate.valid) return exitStatus.noValidMesh;
     if (writers.length > 0 && result.onlyMatching)
       throw new UsageError('a domain with contributions of its own makes no mesh to write', 'leave -o out');
     for (const { path, write } of writers) await save(path, write(result));
     return exitStatus.certified;
-  } catch (error) {
+  } catch (thrown) {
     progress.end();
-    if (error instanceof UsageError) throw error;
-    const { code, message, entities } = error instanceof DualblockError ? error : defect(error);
-    await putReport(makeErrorReport(inputName, settings, { code, message, entities }));
+    if (thrown instanceof UsageError) throw thrown;
+    const error = asDualblockError(thrown);
+    const { code, message, entities } = error;
+    await putReport(command.report, makeErrorReport(inputName, settings, { code, message, entities }));
     process.stderr.write(`dualblock: ${inputName}: ${message} [${code}]\n`);
-    return notTheInputsFault.includes(code) ? exitStatus.noValidMesh : exitStatus.badInput;
+    return statusOf(error);
   } finally {
     core.dispose();
   }
-}
-
-/** Whatever else was thrown, such as a trap of the core, as an error of its own. */
-function defect(error: unknown): DualblockError {
-  const text = error instanceof Error ? error.message : String(error);
-  return new DualblockError('internal', `a defect in dualblock: ${text}. Please report it.`);
 }
 
 function outputWriter(path: string) {
@@ -121,6 +72,7 @@ function outputWriter(path: string) {
 async function main(): Promise<number> {
   const command = parseArguments(process.argv.slice(2));
   if (command.kind === 'run') return run(command);
+  if (command.kind === 'check') return check(command);
   const texts = { help: helpText, version: () => `${version}\n`, listExamples };
   process.stdout.write(await texts[command.kind]());
   return exitStatus.certified;
@@ -136,7 +88,7 @@ try {
     process.stderr.write(`dualblock: ${error.message}: ${error.remedy}\n`);
     process.exitCode = exitStatus.badUsage;
   } else {
-    process.stderr.write(`dualblock: ${defect(error).message}\n`);
+    process.stderr.write(`dualblock: ${asDualblockError(error).message}\n`);
     process.exitCode = exitStatus.noValidMesh;
   }
 }

@@ -10,8 +10,9 @@ export interface Option {
 }
 
 export const options = {
-  example: { value: 'NAME', help: 'mesh a built-in example domain instead of INPUT' },
+  example: { value: 'NAME', help: 'take a built-in example domain instead of a file' },
   'list-examples': { help: 'list the example domains' },
+  check: { help: 'check a block mesh by itself, or against its domain' },
   output: {
     short: 'o',
     value: 'OUTPUT',
@@ -50,13 +51,14 @@ export function helpText(): string {
     'usage: dualblock INPUT [-o OUTPUT ...] [--report FILE|-] [options]',
     '       dualblock --example NAME [-o OUTPUT ...] [--report FILE|-] [options]',
     '       dualblock --list-examples',
+    '       dualblock --check MESH [DOMAIN | --example NAME] [--report FILE|-]',
     '',
-    'INPUT, by extension: .json .off .stl .obj .ply .poly .smesh',
-    'OUTPUT, by extension: .vtk .mesh .json',
+    'INPUT and DOMAIN, by extension: .json .off .stl .obj .ply .poly .smesh',
+    'OUTPUT and MESH, by extension: .vtk .mesh .json',
     '',
     ...rows,
     '',
-    'exit status: 0 a certified mesh, 1 bad input, 2 bad usage, 3 no valid mesh found',
+    'exit status: 0 a certified mesh, 1 bad input, 2 bad usage, 3 no valid mesh found, or one that fails --check',
     '',
   ].join('\n');
 }

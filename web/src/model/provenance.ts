@@ -211,7 +211,8 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
     facets.forEach((facet, k) => {
       out.facet.add(facet);
       for (let side = 0; side < parts.sideTag.length; side++)
-        if (facetOfSide(model, side) === patchOf(model, facet)) between[k]!.add(contributions.surfaceOfSide[side]!);
+        if (facetOfSide(model, side) === patchOf(model, facet))
+          between[k]!.add(contributions.surfaceOfSide[side]!);
     });
     for (const surface of between.flatMap((set) => [...set])) out.surface.add(surface);
     for (let b = 0; b < blockCount; b++) {

@@ -1,0 +1,143 @@
+// A domain as a file gives it: planar facets, nothing oriented or merged but equal points.
+import { DualblockError } from '../io/errors.ts';
+import { mergeEqualPoints } from '../io/merge-points.ts';
+import { areaVector } from './polygon.ts';
+import { boxAround, distance, dot, norm, pointAt, type Vector } from './vector.ts';
+
+export interface Facet {
+  /** The facet's number in the file. */
+  id: number;
+  /** Loops of vertices, the outer one first, holes the other way round. In 2D one "loop": a segment's two ends. */
+  loops: number[][];
+  /** Two solids share it, and the file gives it for both: the domain is on both of its sides. */
+  isShared?: boolean;
+}
+
+export interface Domain {
+  dimension: 2 | 3;
+  /** Distinct points; the third coordinate is 0 in 2D. */
+  vertices: Vector[];
+  facets: Facet[];
+  /** Points in what is no part of the domain. */
+  holes: Vector[];
+  /** Points in what is part of it. */
+  regions: Vector[];
+  /** All that the facets enclose belongs to the domain but the holes; otherwise shells in shells are cavities. */
+  isFilled: boolean;
+}
+
+/**
+ * A domain from vertices that may repeat: equal ones get one number, and corners that repeat the one before are dropped.
+ * A loop that keeps fewer than three corners (2D: two) goes, as does a facet without its outer loop; of two facets that
+ * are the same but turned over one is kept. Throws `duplicateFacet` for two that are not turned over.
+ */
+export function makeDomain(
+  dimension: 2 | 3,
+  coordinates: ArrayLike<number>,
+  facets: number[][][],
+  more: Partial<Pick<Domain, 'holes' | 'regions' | 'isFilled'>> = {},
+): Domain {
+  const { points, ids } = mergeEqualPoints(Float64Array.from(coordinates));
+  const vertices = Array.from({ length: points.length / 3 }, (_, i) => pointAt(points, i));
+  const merged = facets.map((loops, id) => ({
+    id,
+    loops: loops
+      .map((loop) => loop.map((v) => ids[v] ?? -1))
+      .map((loop) => loop.filter((v, k) => v !== loop[(k + 1) % loop.length]))
+      .filter((loop, l) => l === 0 || loop.length >= dimension),
+  }));
+  const whole = merged.filter(({ loops }) => (loops[0]?.length ?? 0) >= dimension);
+  for (const facet of whole) facet.loops = arrangeLoops(facet.loops, vertices);
+  return { dimension, vertices, facets: joinShared(whole), holes: [], regions: [], isFilled: false, ...more };
+}
+
+function joinShared(facets: Facet[]): Facet[] {
+  const known = new Map<string, Facet>();
+  return facets.filter((facet) => {
+    const key = keyOf(facet.loops);
+    const twin = known.get(keyOf(facet.loops.map((loop) => loop.toReversed())));
+    if (twin) {
+      twin.isShared = true;
+      return false;
+    }
+    const other = known.get(key);
+    if (other) {
+      throw new DualblockError(
+        'duplicateFacet',
+        `facets ${other.id} and ${facet.id} (counted from 0) are the same; remove one of them`,
+        [
+          { kind: 'facet', index: other.id },
+          { kind: 'facet', index: facet.id },
+        ],
+      );
+    }
+    known.set(key, facet);
+    return true;
+  });
+}
+
+/** Loops by their vertices, each from its lowest one. */
+const keyOf = (loops: number[][]): string =>
+  loops
+    .map((loop) => {
+      const start = loop.reduce((best, v, k) => (v < (loop[best] ?? 0) ? k : best), 0);
+      return [...loop.slice(start), ...loop.slice(0, start)].join();
+    })
+    .sort()
+    .join(';');
+
+/** The loops with the largest one first and the others turned against it. */
+function arrangeLoops(loops: number[][], vertices: Vector[]): number[][] {
+  if (loops.length === 1) return loops;
+  const area = (loop: number[]): Vector => areaVector([loop.map((v) => vertices[v] ?? [0, 0, 0])]);
+  const [outer = [], ...holes] = loops.toSorted((a, b) => norm(area(b)) - norm(area(a)));
+  return [outer, ...holes.map((hole) => (dot(area(hole), area(outer)) > 0 ? hole.toReversed() : hole))];
+}
+
+/** The corners of a facet, loop by loop. */
+export const cornersOf = ({ vertices }: Domain, { loops }: Facet): Vector[][] =>
+  loops.map((loop) => loop.map((v) => vertices[v] ?? [0, 0, 0]));
+
+/**
+ * The facet's normal times its area; in 2D a segment's length times the normal on its right, so that what it runs
+ * counter-clockwise around is behind it.
+ */
+export function facetVector(domain: Domain, facet: Facet): Vector {
+  const corners = cornersOf(domain, facet);
+  if (domain.dimension === 3) return areaVector(corners);
+  const [[a, b] = []] = corners;
+  return a && b ? [b[1] - a[1], a[0] - b[0], 0] : [0, 0, 0];
+}
+
+/** The length of the diagonal of the box around the vertices. */
+export function sizeOf({ vertices }: Domain): number {
+  const [low, high] = boxAround(vertices);
+  return vertices.length > 0 ? distance(low, high) : 0;
+}
+
+/** A facet's part in one of its ridges: where two facets meet, an edge, in 2D a vertex. */
+export interface RidgeUse {
+  facet: number;
+  /** The edge from its lower to its higher vertex; in 2D the vertex twice. */
+  ends: [number, number];
+  /** The facet runs along the edge; in 2D it ends at the vertex. */
+  forward: boolean;
+}
+
+/** All uses of ridges by some facets, ridge by ridge, in the order of their first appearance. */
+export function ridgesOf(dimension: 2 | 3, facets: readonly Facet[]): RidgeUse[][] {
+  const ridges = new Map<string, RidgeUse[]>();
+  facets.forEach(({ loops }, facet) => {
+    for (const loop of loops) {
+      loop.forEach((v, k) => {
+        const w = dimension === 2 ? v : (loop[(k + 1) % loop.length] ?? v);
+        const ends: [number, number] = v < w ? [v, w] : [w, v];
+        const use = { facet, ends, forward: dimension === 2 ? k === 1 : v < w };
+        const uses = ridges.get(ends.join());
+        if (uses) uses.push(use);
+        else ridges.set(ends.join(), [use]);
+      });
+    }
+  });
+  return [...ridges.values()];
+}

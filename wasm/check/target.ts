@@ -1,0 +1,127 @@
+// What a mesh of a domain has to keep, and which of it only approximately.
+
+import { BoxTree } from './box-tree.ts';
+import { DisjointSets } from './disjoint-sets.ts';
+import { sizeOf } from './domain.ts';
+import { type Outline, outlineOf } from './outline.ts';
+import { findPatches, type Patch } from './patches.ts';
+import { directionFrom, findSkeleton, type Ridge, type Skeleton } from './ridges.ts';
+import type { Solid } from './solid.ts';
+import { degreesBetween, times } from './vector.ts';
+
+export interface TargetSettings {
+  /** Facets are planar, and edges straight, within so much of the domain's size. */
+  tolerance: number;
+  /**
+   * Facets of a solid that turn by less than so many degrees are one curved surface, which a mesh need not follow
+   * exactly; 0 where every facet counts. `auto`: 35 degrees, where at least six planes join.
+   */
+  featureAngle: number | 'auto';
+}
+
+export interface Target extends Skeleton {
+  solid: Solid;
+  patches: Patch[];
+  outlines: Outline[];
+  /** Of patches, their boxes widened by `reach`. */
+  tree: BoxTree;
+  /** The largest of the patches' tolerances. */
+  reach: number;
+  /** Per patch its ridges. */
+  ridgesOfPatch: number[][];
+  /** What doubles may be off by, in the units of the domain. */
+  rounding: number;
+  /** Patches and corners that the mesh must keep exactly. */
+  isStrictPatch: boolean[];
+  isStrictCorner: boolean[];
+  /** Per patch the smooth surface that it is a piece of, by number. */
+  surfaceOf: number[];
+}
+
+/** Nodes may be off by so much of the domain's size. */
+const kRounding = 1e-9;
+
+export function makeTarget(solid: Solid, { tolerance, featureAngle }: TargetSettings): Target {
+  const { domain } = solid;
+  const size = sizeOf(domain);
+  const rounding = kRounding * size;
+  const patches = findPatches(solid, tolerance * size, rounding);
+  const skeleton = findSkeleton(solid, patches, tolerance * size);
+  const reach = patches.reduce((most, patch) => Math.max(most, patch.tolerance), 0);
+  const ridgesOfPatch = patches.map((): number[] => []);
+  skeleton.ridges.forEach(({ uses }, r) => {
+    for (const patch of uses.keys()) ridgesOfPatch[patch]?.push(r);
+  });
+  return {
+    solid,
+    patches,
+    ...skeleton,
+    reach,
+    ridgesOfPatch,
+    outlines: patches.map((patch) => outlineOf(domain, patch)),
+    tree: new BoxTree(
+      patches.map(({ box: [low, high] }) => [
+        [low[0] - reach, low[1] - reach, low[2] - reach],
+        [high[0] + reach, high[1] + reach, high[2] + reach],
+      ]),
+    ),
+    rounding,
+    ...strictParts(solid, patches, skeleton, featureAngle),
+  };
+}
+
+const kAutoAngle = 35;
+const kAutoPatches = 6;
+
+/**
+ * A corner is kept where three sharp ridges meet, or two of different directions; a patch is kept where everything around
+ * it is sharp. In the plane all are kept.
+ */
+function strictParts(
+  { domain: { dimension, vertices } }: Solid,
+  patches: Patch[],
+  { ridges, corners }: Skeleton,
+  featureAngle: number | 'auto',
+): Pick<Target, 'isStrictPatch' | 'isStrictCorner' | 'surfaceOf'> {
+  const isStrictPatch = patches.map(() => true);
+  const degrees = featureAngle === 'auto' ? kAutoAngle : featureAngle;
+  if (dimension === 2 || degrees === 0)
+    return { isStrictPatch, isStrictCorner: corners.map(() => true), surfaceOf: [...patches.keys()] };
+
+  const surfaces = new DisjointSets(patches.length);
+  for (const { uses, turn } of ridges) {
+    const [a, b] = [...uses.keys()];
+    if (turn < degrees && a !== undefined && b !== undefined) surfaces.unite(a, b);
+  }
+  const sizes = new Map<number, number>();
+  for (const p of patches.keys()) sizes.set(surfaces.find(p), (sizes.get(surfaces.find(p)) ?? 0) + 1);
+  const isSmooth = ({
+    uses: [[patch = 0] = []],
+    turn,
+  }: {
+    uses: Iterable<number[]>;
+    turn: number;
+  }): boolean =>
+    turn < degrees && (featureAngle !== 'auto' || (sizes.get(surfaces.find(patch)) ?? 0) >= kAutoPatches);
+
+  const loosen = (uses: Map<number, number>): void => {
+    for (const patch of uses.keys()) isStrictPatch[patch] = false;
+  };
+  const sharp = new Map<number, Ridge[]>(); // at each vertex
+  for (const ridge of ridges) {
+    if (isSmooth(ridge)) loosen(ridge.uses);
+    else for (const v of ridge.ends) sharp.set(v, [...(sharp.get(v) ?? []), ridge]);
+  }
+  const isStrictCorner = corners.map(({ vertex }) => {
+    const [a, b, more] = sharp.get(vertex) ?? [];
+    if (more || (a && !b)) return true;
+    if (!a || !b) return false;
+    return (
+      degreesBetween(times(-1, directionFrom(vertices, a, vertex)), directionFrom(vertices, b, vertex)) >=
+      degrees
+    );
+  });
+  const isStrict = new Map(corners.map(({ vertex }, c) => [vertex, isStrictCorner[c] ?? true]));
+  for (const { ends, uses } of ridges) if (!ends.every((v) => isStrict.get(v))) loosen(uses);
+  return { isStrictPatch, isStrictCorner, surfaceOf: [...patches.keys()].map((p) => surfaces.find(p)) };
+}

@@ -1,0 +1,57 @@
+// What the command line reads and writes.
+import { readFile, writeFile } from 'node:fs/promises';
+import { DualblockError } from '../io/errors.ts';
+import { formatOf } from '../settings.ts';
+import { type Source, UsageError } from './arguments.ts';
+
+// This file is bundled into wasm/build/cli.mjs.
+const root = new URL('../../', import.meta.url);
+
+export interface ExampleIndex {
+  examples: { name: string; title: string; figure: string; dimension: number }[];
+}
+
+export async function readExamples(): Promise<ExampleIndex> {
+  return JSON.parse(await readFile(new URL('public/examples/index.json', root), 'utf8')) as ExampleIndex;
+}
+
+/** The bytes of a file. Throws `fileUnreadable`. */
+export async function readInput(path: string): Promise<Uint8Array> {
+  try {
+    return await readFile(path);
+  } catch (error) {
+    const reason = (error as NodeJS.ErrnoException).code === 'ENOENT' ? 'does not exist' : 'cannot be read';
+    throw new DualblockError('fileUnreadable', `${path} ${reason}: check its name and permissions.`, [
+      { kind: 'file', index: 0 },
+    ]);
+  }
+}
+
+/** A domain's name and bytes. Throws UsageError for an unknown example, DualblockError for a file. */
+export async function readSource(source: Source): Promise<{ name: string; bytes: Uint8Array }> {
+  if (source.kind === 'example') {
+    const { examples } = await readExamples();
+    if (!examples.some((e) => e.name === source.name))
+      throw new UsageError(`there is no example "${source.name}"`, 'see dualblock --list-examples');
+    const name = `${source.name}.json`;
+    return { name, bytes: await readFile(new URL(`public/examples/${name}`, root)) };
+  }
+  formatOf(source.path);
+  return { name: source.path, bytes: await readInput(source.path) };
+}
+
+/** Throws UsageError. */
+export async function save(path: string, text: string): Promise<void> {
+  try {
+    await writeFile(path, text);
+  } catch {
+    throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
+  }
+}
+
+/** Writes a report to a file, to standard output for "-", nowhere for null. */
+export async function putReport(path: string | null, report: unknown): Promise<void> {
+  const text = `${JSON.stringify(report, null, 1)}\n`;
+  if (path === '-') process.stdout.write(text);
+  else if (path !== null) await save(path, text);
+}
