@@ -97,7 +97,6 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
     const auto more = segmentsOf(chains[c], v.mesh.nodes);
     others.insert(others.end(), more.begin(), more.end());
   }
-  for (const Chain &chain : chains) proposal.from.insert(proposal.from.end(), chain.nodes.begin(), chain.nodes.end());
   // Mirror images lie on both sides of a plane: better than a field, which is no plane between its nodes.
   const auto centre = [](const std::vector<Segment<3>> &chain) {
     Vec<3> sum{0.0};
@@ -303,6 +302,20 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)), halfOf(v, chain, axis, towards)};
 }
 
+/// How far a closed chain is from a circle around its axis, in thousandths of its radius.
+double raggedness(const PartView &v, const Chain &chain) {
+  Axis axis;
+  if (!axisOf(chain, v.mesh.nodes, axis)) return std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const Index n : chain.nodes) {
+    const double r = glm::length(glm::cross(v.node(n) - axis.centre, axis.direction));
+    least = std::min(least, r);
+    most = std::max(most, r);
+  }
+  return std::round(1000 * (most - least) / most);
+}
+
 std::vector<Proposal> proposals(const PartView &v) {
   std::vector<Proposal> list;
   const auto add = [&](std::optional<Proposal> proposal) {
@@ -326,6 +339,9 @@ std::vector<Proposal> proposals(const PartView &v) {
     if (chains.size() > 1) several.push_back(std::move(chains));
   }
   for (const auto &chains : several) add(separate(v, chains));
+  // Curves that bent cuts have left are ragged: the others know their axis better.
+  std::stable_sort(loops.begin(), loops.end(),
+                   [&](const Loop &a, const Loop &b) { return raggedness(v, a.chain) < raggedness(v, b.chain); });
   for (const Loop &loop : loops)
     for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
   add(betweenCorners(v));

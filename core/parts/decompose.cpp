@@ -23,7 +23,7 @@ constexpr double kSamePlane = 1e-7; // radians between directions that count as 
 constexpr double kLargestAngle = 170 * pi / 180;
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
-constexpr int kBentRounds = 200;
+constexpr int kBentRounds = 80;
 
 template <int N> struct Ridge {
   Index simplex;

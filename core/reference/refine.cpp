@@ -85,6 +85,7 @@ template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<I
 
 template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance) {
   constexpr int kRounds = 3;
+  constexpr double kCrossing = 0.05; // of the edge's length: how far a crossing may be off
   const Index before = mesh.nodeCount();
   std::vector<double> values;
   for (int round = 0; round < kRounds; ++round) {
@@ -93,7 +94,14 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
     for (const auto &[a, b] : allEdges(mesh)) {
       const double va = values[at(a)];
       const double vb = values[at(b)];
-      if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) continue;
+      if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) {
+        // Crossed: where the cut would put its node, the field should vanish.
+        const Vec<N> along = mesh.nodes[at(b)] - mesh.nodes[at(a)];
+        const double t = va / (va - vb);
+        if (t > 0.1 && t < 0.9 && std::abs(field.value(mesh.nodes[at(a)] + t * along)) > kCrossing * glm::length(along))
+          wanted.push_back({a, b, t});
+        continue;
+      }
       if (std::max(std::abs(va), std::abs(vb)) <= tolerance) { // a chord from the cut to the cut
         const Vec<N> middle = (mesh.nodes[at(a)] + mesh.nodes[at(b)]) / 2.0;
         if (std::abs(field.value(middle)) > 1e-3 * glm::length(mesh.nodes[at(b)] - mesh.nodes[at(a)]))
