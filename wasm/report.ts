@@ -51,6 +51,7 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       fallback: parts.fallbackComponents > 0,
       fallbackComponents: parts.fallbackComponents,
       fallbackReason: parts.fallbackReason,
+      confinedFallback: { components: parts.pulledComponents, parts: parts.pulledParts },
     },
     contributions: { hard: contributions.hardCount, soft: contributions.softCount },
     dual: { surfaces: contributions.surfaces, cells: contributions.cells },
@@ -121,9 +122,12 @@ export function describe(report: Report): string {
   const { input, reference, parts, primal, certificate } = report;
   if (primal.blocks === 0 && certificate.cells === null) return describeMatching(report);
   const kind = input.dimension === 2 ? 'quadrilaterals' : 'hexahedra';
+  const confined = parts.confinedFallback.parts;
   const split = parts.fallback
     ? `${parts.count} parts, by the fallback (${parts.fallbackReason})`
-    : `${parts.count} part(s)`;
+    : confined > 0
+      ? `${parts.count} parts, simplices where ${confined} would not be simple (${parts.fallbackReason})`
+      : `${parts.count} part(s)`;
   const quality = report.quality.scaledJacobian;
   const { domainMeasure, meshMeasure } = certificate;
   const off = (100 * (meshMeasure - domainMeasure)) / domainMeasure;

@@ -89,7 +89,11 @@ export interface RunResult {
   parts: {
     count: number;
     fallbackComponents: number;
+    /** Why simplices became parts, in all or in some parts; empty where none did. */
     fallbackReason: string;
+    /** Components where only the parts that cuts left over became simplices, and how many parts those were. */
+    pulledComponents: number;
+    pulledParts: number;
     region: Int32Array;
     ofSimplex: Int32Array;
     sidePart: Int32Array;

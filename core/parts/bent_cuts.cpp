@@ -131,6 +131,15 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   return proposal;
 }
 
+/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those on a given
+/// side and a plane cut hardly less so.
+int raggedness(const PartView &v, const Loop &loop) {
+  int ragged = 0;
+  for (const Index side : loop.sides)
+    if (!v.isGiven(side)) ragged += v.isBent(side) ? 3 : 1;
+  return ragged;
+}
+
 /// The nodes of a chain on the side of its axis that `towards` points to.
 std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
   std::vector<Index> half;
@@ -151,7 +160,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
   Index ends = 0;
   for (const Loop &other : loops) {
     Axis o;
-    if (&other == &loop || !axisOf(other.chain, v.mesh.nodes, o)) continue;
+    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, o)) continue;
     others.push_back(o);
     for (const Index side : loop.sides)
       if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {
@@ -302,20 +311,6 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)), halfOf(v, chain, axis, towards)};
 }
 
-/// How far a closed chain is from a circle around its axis, in thousandths of its radius.
-double raggedness(const PartView &v, const Chain &chain) {
-  Axis axis;
-  if (!axisOf(chain, v.mesh.nodes, axis)) return std::numeric_limits<double>::infinity();
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (const Index n : chain.nodes) {
-    const double r = glm::length(glm::cross(v.node(n) - axis.centre, axis.direction));
-    least = std::min(least, r);
-    most = std::max(most, r);
-  }
-  return std::round(1000 * (most - least) / most);
-}
-
 std::vector<Proposal> proposals(const PartView &v) {
   std::vector<Proposal> list;
   const auto add = [&](std::optional<Proposal> proposal) {
@@ -339,9 +334,8 @@ std::vector<Proposal> proposals(const PartView &v) {
     if (chains.size() > 1) several.push_back(std::move(chains));
   }
   for (const auto &chains : several) add(separate(v, chains));
-  // Curves that bent cuts have left are ragged: the others know their axis better.
   std::stable_sort(loops.begin(), loops.end(),
-                   [&](const Loop &a, const Loop &b) { return raggedness(v, a.chain) < raggedness(v, b.chain); });
+                   [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
   for (const Loop &loop : loops)
     for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
   add(betweenCorners(v));

@@ -61,7 +61,6 @@ const sizes: Record<string, number> = {
   plate_with_hole: 16 - polygonArea(24, 0.8),
   ball: ballOf16,
   elbow: 8 * Math.sin(Math.PI / 16) * 2 * polygonArea(16, 0.7), // eight wedges: sine of the angle, times the moment
-  stepped_shaft: polygonArea(24, 1) + polygonArea(24, 0.5),
   box_on_box: 10,
   vertex_end: 1.2,
   vertex_side: 2 + Math.tan(Math.PI / 18),

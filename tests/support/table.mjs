@@ -23,7 +23,7 @@ function row(name, { reference, parts, primal, certificate, quality, timings, er
   const verdict = certificate.valid ? (certificate.isExact ? 'valid' : 'valid, curved') : 'NOT VALID';
   if (certificate.cells === null)
     return [name, reference.filled, '–', '–', '–', certificate.valid ? 'rules kept' : 'rules broken', '–', '–'];
-  const fallback = parts.fallback ? 'yes' : 'no';
+  const fallback = parts.fallback ? 'yes' : parts.confinedFallback.parts > 0 ? 'confined' : 'no';
   const worst = quality.scaledJacobian.min;
   return [
     name,
