@@ -3,33 +3,34 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <new>
 #include <random>
 
 #include "domain/polygon.h"
-#include "tetgen.h"
+#include "toolchain/tetgen_fixed.h"
 
-void startTetgen(long long points); // core/toolchain/tetgen_unit.cpp
+// core/toolchain/tetgen_unit.cpp
+void startTetgen(long long points);
+void fillWithTetgen(double maxVolume, double epsilon, tetgenio *in, tetgenio *out);
 
 namespace dualblock {
 namespace {
 
 /// One rung of the ladder of remedies.
 struct Attempt {
-  const char *switches;
+  double epsilon; // coplanarity tolerance; TetGen's own is 1e-8
   const char *remedy;
   bool snap;
   bool shift;
 };
 
 constexpr Attempt kAttempts[] = {
-    {"", "", false, false},
-    {"T1e-5", "a coplanarity tolerance of 1e-5", false, false},
-    {"", "coordinates snapped to 2^-30 of the size", true, false},
-    {"T1e-5", "coordinates snapped to 2^-30 of the size, and a coplanarity tolerance of 1e-5", true, false},
-    {"T1e-7", "a random shift of 1e-9 of the size", false, true},
-    {"T1e-4", "a random shift of 1e-9 of the size, and a coplanarity tolerance of 1e-4", false, true},
+    {1e-8, "", false, false},
+    {1e-5, "a coplanarity tolerance of 1e-5", false, false},
+    {1e-8, "coordinates snapped to 2^-30 of the size", true, false},
+    {1e-5, "coordinates snapped to 2^-30 of the size, and a coplanarity tolerance of 1e-5", true, false},
+    {1e-7, "a random shift of 1e-9 of the size", false, true},
+    {1e-4, "a random shift of 1e-9 of the size, and a coplanarity tolerance of 1e-4", false, true},
 };
 
 std::vector<Vec<3>> altered(const std::vector<Vec<3>> &vertices, const Attempt &attempt, double size) {
@@ -143,16 +144,12 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
   for (const Attempt &attempt : kAttempts) {
     const bool plain = !attempt.snap && !attempt.shift;
     const std::vector<Vec<3>> points = plain ? vertices : altered(vertices, attempt, options.size);
-    char switches[96];
-    if (options.maxVolume > 0)
-      std::snprintf(switches, sizeof switches, "pq1.414a%.17gnnJQ%s", options.maxVolume, attempt.switches);
-    else std::snprintf(switches, sizeof switches, "pYnnJQ%s", attempt.switches);
     tetgenio in;
     tetgenio out;
     try {
       fillInput(in, points, facets);
       startTetgen(static_cast<long long>(points.size()));
-      tetrahedralize(switches, &in, &out);
+      fillWithTetgen(options.maxVolume, attempt.epsilon, &in, &out);
     } catch (int code) {
       lastCode = code;
       if (code == 1) break;
