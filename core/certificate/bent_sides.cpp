@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -48,7 +49,7 @@ void checkNodes(const CertificateInput<3> &in, const BlockComplex<3> &complex, d
     }
     extents.push_back(e);
   }
-  std::sort(extents.begin(), extents.end(), [](const Extent &a, const Extent &b) {
+  sortItems(extents, [](const Extent &a, const Extent &b) {
     return a.patch != b.patch ? a.patch < b.patch : a.low != b.low ? a.low < b.low : a.facet < b.facet;
   });
   std::vector<std::pair<Index, Index>> wanted; // patch, node
@@ -57,7 +58,7 @@ void checkNodes(const CertificateInput<3> &in, const BlockComplex<3> &complex, d
     if (facet == kNone || !in.mesh.surfaces[at(facet)].bent) continue;
     for (const Index node : face.key) wanted.emplace_back(in.mesh.surfaces[at(facet)].patch, node);
   }
-  std::sort(wanted.begin(), wanted.end());
+  sortItems(wanted);
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   for (const auto &[patch, node] : wanted) {
     const Vec<3> &x = in.primal.positions[at(node)];
@@ -143,7 +144,7 @@ void checkEmbedding(const CertificateInput<3> &in, const BlockComplex<3> &comple
     }
     faces.push_back(face);
   }
-  std::sort(faces.begin(), faces.end(),
+  sortItems(faces,
             [](const Face &a, const Face &b) { return a.low != b.low ? a.low < b.low : a.index < b.index; });
   const double margin = 1e-12 * in.mesh.size;
   const auto quadOf = [&](Index f) {

@@ -2,6 +2,7 @@
 // a ball as far as its Euler characteristic tells. A cell meets each simplex, face, edge and node of the
 // reference mesh in convex pieces; over the inner ones, with alternating signs, these add up to its Euler
 // characteristic (the reduced one of a simplex's link is its weight, 0 for simplices on the boundary).
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -30,7 +31,7 @@ template <int N> struct BoundarySkeleton {
         }
       }
     // Of several entries for one edge the deepest comes first.
-    std::sort(edges.begin(), edges.end(), [](const auto &x, const auto &y) {
+    sortItems(edges, [](const auto &x, const auto &y) {
       return x.first != y.first ? x.first < y.first : x.second > y.second;
     });
     edges.erase(std::unique(edges.begin(), edges.end(),

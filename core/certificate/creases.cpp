@@ -1,4 +1,5 @@
 // Where the blocks keep the domain's curves: edges at which the fan of blocks between two facets opens.
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -46,7 +47,7 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
       if (crease.keys[0] < crease.keys[1]) creases.push_back(crease); // each fan is met from both of its ends
     }
   }
-  std::sort(creases.begin(), creases.end());
+  sortItems(creases);
   creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
   return creases;
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -111,7 +112,7 @@ bool followsCourse(const CertificateInput<3> &in, const Course &course, const Cr
       for (const Place &p : link) order.emplace_back(p.along, p.node);
       joined.push_back(sortedPair(link[0].node, link[1].node));
     }
-    std::sort(order.begin(), order.end());
+    sortItems(order);
     order.erase(std::unique(order.begin(), order.end(), [](const auto &a, const auto &b) { return a.second == b.second; }),
                 order.end());
     if (order.size() < 2) return false;
@@ -127,8 +128,8 @@ bool followsCourse(const CertificateInput<3> &in, const Course &course, const Cr
     } else if (order.front().first > tolerance || order.back().first < length - tolerance) {
       return false;
     }
-    std::sort(wanted.begin(), wanted.end());
-    std::sort(joined.begin(), joined.end());
+    sortItems(wanted);
+    sortItems(joined);
     if (wanted != joined) return false;
   }
   return true;
@@ -155,7 +156,7 @@ void checkCurves(const CertificateInput<3> &in, const std::vector<Crease> &creas
   std::vector<std::pair<std::array<Index, 2>, std::size_t>> order; // curves by keys
   for (std::size_t c = 0; c < in.features.curves.size(); ++c)
     order.emplace_back(keysOf(in, in.features.curves[c]), c);
-  std::sort(order.begin(), order.end());
+  sortItems(order);
   std::size_t known = 0; // creases between patches that have a curve
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     const auto keys = order[begin].first;
@@ -182,7 +183,7 @@ void checkCurves(const CertificateInput<2> &in, const std::vector<Crease> &creas
   for (const Curve<2> &curve : in.features.curves)
     for (std::size_t r = 0; r < curve.ridges.size(); ++r) wanted.push_back(keysOf(in, curve));
   for (const Crease &c : creases) made.push_back(c.keys);
-  std::sort(wanted.begin(), wanted.end());
+  sortItems(wanted);
   if (wanted == made) return; // creases are sorted
   std::vector<std::array<Index, 2>> different;
   std::set_symmetric_difference(wanted.begin(), wanted.end(), made.begin(), made.end(), std::back_inserter(different));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -91,7 +92,7 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   // Vertices: sort the primal nodes by position and look each vertex up.
   std::vector<Index> byPosition(in.primal.positions.size());
   for (std::size_t k = 0; k < byPosition.size(); ++k) byPosition[k] = toIndex(k);
-  std::sort(byPosition.begin(), byPosition.end(),
+  sortItems(byPosition,
             [&](Index a, Index b) { return in.primal.positions[at(a)].x < in.primal.positions[at(b)].x; });
   for (const Corner &corner : in.features.corners) {
     const Vec<N> x = in.featureNodes[at(corner.node)];

@@ -3,6 +3,7 @@
 // the same D-bar-surfaces must arrive from both sides.
 #include <bit>
 
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -31,7 +32,7 @@ template <int N> void tracesOn(const CertificateInput<N> &in, Index s, int face,
     if (mask == 0 || mask == (1U << N) - 1) continue; // misses the face, or runs parallel to it
     traces.push_back({mask, in.surfaces.ofSide[at(c->side)]});
   }
-  std::sort(traces.begin(), traces.end());
+  sortItems(traces);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Check 3: the blocks by themselves form a conformal mesh with the topology of the domain.
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -90,7 +91,7 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
         used[at(f[k])] = true;
         edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
       }
-    std::sort(edges.begin(), edges.end());
+    sortItems(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
     }
@@ -176,7 +177,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
       for (std::size_t k = 0; k < face.cycle.size(); ++k)
         face.cycle[k] = block.nodes[at(N == 3 ? kFaces[f][k] : kQuadSides[f][k])];
       face.key = face.cycle;
-      std::sort(face.key.begin(), face.key.end());
+      sortItems(face.key);
       face.block = b;
       face.local = f;
       face.side = f % 2 == 1 ? block.sides[at(f / 2)] : kNone;
@@ -187,7 +188,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
       edges.push_back(sortedPair(block.nodes[at(u)], block.nodes[at(v)]));
     }
   }
-  std::sort(complex.faces.begin(), complex.faces.end(), [](const BlockFace<N> &a, const BlockFace<N> &b) {
+  sortItems(complex.faces, [](const BlockFace<N> &a, const BlockFace<N> &b) {
     return a.key != b.key ? a.key < b.key : a.block < b.block;
   });
   complex.faceOf.resize(complex.faces.size());
@@ -198,7 +199,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
     const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;
     if (!before && !after) complex.boundary.push_back(toIndex(f));
   }
-  std::sort(edges.begin(), edges.end());
+  sortItems(edges);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (e == 0 || edges[e] != edges[e - 1]) {
       complex.edges.push_back(edges[e]);
@@ -215,7 +216,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
   if (in.primal.blocks.empty()) certificate.fail(Check::topology, "there are no blocks");
   for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
     auto nodes = in.primal.blocks[at(b)].nodes;
-    std::sort(nodes.begin(), nodes.end());
+    sortItems(nodes);
     if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
       certificate.fail(Check::topology, "a block has the same node twice", {{"block", b}});
   }
@@ -227,7 +228,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       certificate.fail(Check::topology, "three blocks share a face",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
   }
-  std::sort(pairs.begin(), pairs.end());
+  sortItems(pairs);
   const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
   if (twice != pairs.end())
     certificate.fail(Check::topology, "two blocks share more than one face",
@@ -242,7 +243,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       else ridges.push_back(sortedPair(cycle[k], cycle[(k + 1) % 4]));
     }
   }
-  std::sort(ridges.begin(), ridges.end());
+  sortItems(ridges);
   for (std::size_t begin = 0, end = 0; begin < ridges.size(); begin = end) {
     while (end < ridges.size() && ridges[end] == ridges[begin]) ++end;
     if (end - begin != 2)

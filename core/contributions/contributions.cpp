@@ -1,5 +1,6 @@
 #include "contributions/contributions.h"
 
+#include "base/sort.h"
 #include <bit>
 
 namespace dualblock {
@@ -41,7 +42,7 @@ SideEdges::SideEdges(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const 
         for (std::size_t b = a + 1; b < N; ++b) edges_.push_back({side, face[a], face[b]});
     }
   }
-  std::sort(edges_.begin(), edges_.end());
+  sortItems(edges_);
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
@@ -80,8 +81,7 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
         known->mask = static_cast<std::uint8_t>(known->mask | 1U << v);
       }
     }
-    std::sort(here.begin(), here.end(),
-              [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
+    sortItems(here, [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
     for (const Contribution &c : here) {
       const int size = std::popcount(unsigned{c.mask});
       if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {

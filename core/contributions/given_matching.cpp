@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace dualblock {
 namespace {
@@ -103,8 +104,7 @@ Contributions<2> givenContributions(const ReferenceMesh<2> &mesh,
   std::vector<const GivenContribution *> bySimplex;
   bySimplex.reserve(contributions.size());
   for (const GivenContribution &c : contributions) bySimplex.push_back(&c);
-  std::stable_sort(bySimplex.begin(), bySimplex.end(),
-                   [](const auto *a, const auto *b) { return a->simplex < b->simplex; });
+  sortItems(bySimplex, [](const auto *a, const auto *b) { return a->simplex < b->simplex; });
   auto next = bySimplex.begin();
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
     for (; next != bySimplex.end() && (*next)->simplex == s; ++next) {

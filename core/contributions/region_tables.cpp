@@ -1,5 +1,6 @@
 #include "contributions/region_tables.h"
 
+#include "base/sort.h"
 #include <algorithm>
 #include <set>
 
@@ -52,7 +53,7 @@ template <int N> RegionTables<N>::RegionTables() {
     if (isNew) facePoints.emplace_back(set, point);
   });
   regions_.assign(found.begin(), found.end());
-  std::sort(facePoints.begin(), facePoints.end());
+  sortItems(facePoints);
   for (int i = 0; i < N + 1; ++i) {
     // Vertex numbers stand for node numbers: `order` lists the face's vertices from the lowest node up.
     std::array<Index, N + 1> numbers;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "domain/polygon.h"
 
 namespace dualblock {
@@ -34,7 +35,7 @@ template <int N> std::vector<Box<N>> facetBoxes(const Domain<N> &domain, double 
 /// returns true.
 template <int N, typename Visit> void sweep(const Domain<N> &domain, double margin, Visit visit) {
   std::vector<Box<N>> boxes = facetBoxes(domain, margin);
-  std::sort(boxes.begin(), boxes.end(), [](const Box<N> &a, const Box<N> &b) {
+  sortItems(boxes, [](const Box<N> &a, const Box<N> &b) {
     return a.low.x != b.low.x ? a.low.x < b.low.x : a.facet < b.facet;
   });
   for (std::size_t i = 0; i < boxes.size(); ++i)

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "domain/polygon.h"
 
 namespace dualblock {
@@ -84,8 +85,7 @@ std::vector<std::vector<Index>> boundaryLoops(const std::vector<Vec<3>> &vertice
     for (const Index v : loop) polygon.push_back(basis.project(vertices[at(v)]));
     return polygonArea2(polygon);
   };
-  std::stable_sort(loops.begin(), loops.end(),
-                   [&](const auto &a, const auto &b) { return area(a) > area(b); });
+  sortItems(loops, [&](const auto &a, const auto &b) { return area(a) > area(b); });
   return loops;
 }
 
@@ -100,7 +100,7 @@ std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
         const Index b = loop[(k + 1) % loop.size()];
         uses.push_back({sortedPair(a, b), toIndex(f), a < b});
       }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse &a, const EdgeUse &b) {
+  sortItems(uses, [](const EdgeUse &a, const EdgeUse &b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet;
   });
   return uses;
@@ -122,7 +122,7 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
   for (std::size_t f = 0; f < facets.size(); ++f) size[f] = glm::length(areaVector(vertices, facets[f]));
   std::vector<Index> order(facets.size());
   for (std::size_t f = 0; f < order.size(); ++f) order[f] = toIndex(f);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return size[at(a)] > size[at(b)]; });
+  sortItems(order, [&](Index a, Index b) { return size[at(a)] > size[at(b)]; });
 
   // Grow groups from the largest facets; their normals are the best known.
   std::vector<Index> groupOf(facets.size(), kNone);
@@ -151,8 +151,8 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
   MergedFacets merged;
   merged.facetOfGiven.assign(facets.size(), kNone);
   // In the order of their lowest facet, so that untouched domains keep their numbering.
-  for (auto &group : groups) std::sort(group.begin(), group.end());
-  std::sort(groups.begin(), groups.end());
+  for (auto &group : groups) sortItems(group);
+  sortItems(groups);
   for (const auto &group : groups) {
     GroupPlane plane;
     for (const Index f : group) plane.add(vertices, facets[at(f)]);

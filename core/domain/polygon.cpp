@@ -1,5 +1,6 @@
 #include "domain/polygon.h"
 
+#include "base/sort.h"
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +54,7 @@ Vec<2> pointInside(const std::vector<Vec<2>> &polygon) {
   // Along a horizontal line between two corner heights, the widest gap between crossings 2k and 2k+1.
   std::vector<double> heights;
   for (const Vec<2> &p : polygon) heights.push_back(p.y);
-  std::sort(heights.begin(), heights.end());
+  sortItems(heights);
   Vec<2> best = polygon[0];
   double bestRoom = 0;
   for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
@@ -66,7 +67,7 @@ Vec<2> pointInside(const std::vector<Vec<2>> &polygon) {
       const Vec<2> &b = polygon[(k + 1) % polygon.size()];
       if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
     }
-    std::sort(crossings.begin(), crossings.end());
+    sortItems(crossings);
     for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
       const double width = std::min(crossings[c + 1] - crossings[c], room);
       if (width <= bestRoom) continue;

@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "base/sort.h"
 #include "domain/merge_facets.h"
 #include "domain/polygon.h"
 #include "domain/prepare.h"
@@ -31,7 +32,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
                      culprit};
       corners.insert(corners.end(), loop.begin(), loop.end());
     }
-    std::sort(corners.begin(), corners.end());
+    sortItems(corners);
     if (const auto twice = std::adjacent_find(corners.begin(), corners.end()); twice != corners.end())
       return Error{ErrorCode::degenerateFacet,
                    name + " uses vertex " + std::to_string(*twice) +
@@ -73,7 +74,7 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
     const Vec<3> &x = domain.vertices[at(v)];
     return std::array<double, 3>{x.x, x.y, x.z};
   };
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  sortItems(order, [&](Index a, Index b) { return key(a) < key(b); });
   std::vector<Index> first(order.size());
   Index merged = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {

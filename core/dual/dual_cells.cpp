@@ -1,6 +1,7 @@
 #include "dual/dual_cells.h"
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace dualblock {
 namespace {
@@ -91,8 +92,7 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
     }
   std::vector<Index> order(unordered.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
+  sortItems(order, [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
   std::vector<Index> rank(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     rank[at(order[k])] = toIndex(k);
@@ -132,7 +132,7 @@ template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts) {
       const auto first = *std::min_element(curve.ridges.begin(), curve.ridges.end());
       contacts.push_back({std::min(side, opposite), first, curve.sides[at(1 - k)]});
     }
-  std::stable_sort(contacts.begin(), contacts.end());
+  sortItems(contacts);
   DisjointSets sets(parts.sides.size());
   for (std::size_t c = 0; c + 1 < contacts.size(); ++c)
     if (contacts[c].side == contacts[c + 1].side && contacts[c].ridge == contacts[c + 1].ridge)

@@ -1,5 +1,6 @@
 #include "geometry/untangle.h"
 
+#include "base/sort.h"
 #include "geometry/jacobian.h"
 #include "geometry/linear_programme.h"
 
@@ -118,7 +119,7 @@ public:
           touched.insert(touched.end(), blocksAt_.begin(node), blocksAt_.end(node));
         }
       if (moves == before) break;
-      std::sort(touched.begin(), touched.end());
+      sortItems(touched);
       touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
       bad.clear();
       for (const Index b : touched)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "domain/polygon.h"
 
 namespace dualblock {
@@ -81,8 +82,7 @@ std::vector<Outline> outlinesOf(const std::vector<Vec<3>> &vertices, FacetPolygo
     holes.push_back(plane.project(hole - origin));
     if (!isFinite(holes.back())) return {};
   }
-  std::stable_sort(outlines.begin(), outlines.end(),
-                   [](const Outline &a, const Outline &b) { return a.area > b.area; });
+  sortItems(outlines, [](const Outline &a, const Outline &b) { return a.area > b.area; });
   return outlines;
 }
 

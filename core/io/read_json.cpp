@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/sort.h"
 #include <nlohmann/json.hpp>
 
 namespace dualblock {
@@ -149,7 +150,7 @@ void readContributions(const Json &root, Domain<2> &domain) {
                                 where + ".nodes", "contribution", c);
     const auto &simplex = domain.reference->simplices[at(contribution.simplex)];
     auto nodes = contribution.nodes;
-    std::sort(nodes.begin(), nodes.end());
+    sortItems(nodes);
     bool proper = !nodes.empty() && nodes.size() < simplex.size() &&
                   std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
     for (const Index v : nodes) proper &= std::find(simplex.begin(), simplex.end(), v) != simplex.end();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/sort.h"
 #include "parts/chains.h"
 #include "reference/cut.h"
 #include "reference/refine.h"
@@ -348,7 +349,7 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
   if (proposal.surface.field && resolve(mesh, *proposal.surface.field, options.tolerance) > 0)
     return true; // parts have to be found anew; the next round cuts
   std::vector<Index> from = proposal.from;
-  std::sort(from.begin(), from.end());
+  sortItems(from);
   std::vector<CutSeed<3>> seeds;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
     if (v.parts.partOfSimplex[at(s)] != v.part) continue;

@@ -1,5 +1,6 @@
 #include "parts/chains.h"
 
+#include "base/sort.h"
 #include <cmath>
 
 namespace dualblock {
@@ -9,7 +10,7 @@ std::vector<Chain> chainsOf(const Curve<3> &curve) {
     links.push_back({a, b});
     links.push_back({b, a});
   }
-  std::sort(links.begin(), links.end());
+  sortItems(links);
   std::vector<bool> used(links.size(), false);
   const auto degree = [&](Index node) {
     const auto first = std::lower_bound(links.begin(), links.end(), std::array<Index, 2>{node, kNone});

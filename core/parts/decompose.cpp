@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "parts/bent_cuts.h"
 #include "parts/features.h"
 #include "reference/cut.h"
@@ -134,7 +135,7 @@ std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, c
     std::vector<std::pair<Index, std::size_t>> ends; // node, ridge
     for (std::size_t k = 0; k < curve.ridges.size(); ++k)
       for (const Index node : curve.ridges[k]) ends.emplace_back(node, k);
-    std::sort(ends.begin(), ends.end());
+    sortItems(ends);
     const double leastCosine = std::cos(kSmoothAngle * pi / 180);
     for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
       if (ends[e].first != ends[e + 1].first) continue;
@@ -297,7 +298,7 @@ Index splitSurfacesAt(const ReferenceMesh<3> &mesh, Index node, Index facetSurfa
       if (tag == kNone || FaceTag::surface(tag) < facetSurfaces || mesh.simplices[at(s)][i] == node) continue;
       found.push_back(FaceTag::surface(tag));
     }
-  std::sort(found.begin(), found.end());
+  sortItems(found);
   return toIndex(static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin()));
 }
 

@@ -1,5 +1,6 @@
 #include "parts/features.h"
 
+#include "base/sort.h"
 #include <numbers>
 
 namespace dualblock {
@@ -15,7 +16,7 @@ template <int N> Features classifyFeatures(const Parts<N> &uncut) {
   Features features;
   for (const Curve<N> &curve : uncut.curves) features.curves.push_back(curveKind(curve.angle));
   for (const Corner &corner : uncut.corners) features.vertexNodes.push_back(corner.node);
-  std::sort(features.vertexNodes.begin(), features.vertexNodes.end());
+  sortItems(features.vertexNodes);
   const auto last = std::unique(features.vertexNodes.begin(), features.vertexNodes.end());
   features.vertexNodes.erase(last, features.vertexNodes.end());
   std::vector<int> featureCurves(features.vertexNodes.size(), 0);
@@ -24,7 +25,7 @@ template <int N> Features classifyFeatures(const Parts<N> &uncut) {
     if (features.curves[c] == CurveKind::side) continue;
     nodes.clear();
     for (const auto &ridge : uncut.curves[c].ridges) nodes.insert(nodes.end(), ridge.begin(), ridge.end());
-    std::sort(nodes.begin(), nodes.end());
+    sortItems(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const Index node : nodes) {
       const auto at = std::lower_bound(features.vertexNodes.begin(), features.vertexNodes.end(), node);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace dualblock {
 namespace {
@@ -41,7 +42,7 @@ std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<
   std::array<Index, N - 1> ridge{};
   for (int v = 0, m = 0; v < N + 1; ++v)
     if (v != f.face && v != k) ridge[m++] = mesh.simplices[at(f.simplex)][v];
-  std::sort(ridge.begin(), ridge.end());
+  sortItems(ridge);
   return ridge;
 }
 
@@ -86,7 +87,7 @@ template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &
     if (a.sides != b.sides) return a.sides < b.sides;
     return a.nodes < b.nodes;
   };
-  std::sort(records.begin(), records.end(), byCurve);
+  sortItems(records, byCurve);
   std::vector<Curve<N>> curves;
   std::vector<Index> ends;
   for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
@@ -108,7 +109,7 @@ template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &
     }
     if constexpr (N == 3) {
       // One open chain: two nodes used once, all others twice, and nodes = ridges + 1.
-      std::sort(ends.begin(), ends.end());
+      sortItems(ends);
       std::size_t single = 0;
       std::size_t distinct = 0;
       bool branched = false;
@@ -140,8 +141,7 @@ template <int N> std::vector<Corner> buildCorners(const Parts<N> &parts, Index n
       list = next;
     }
   }
-  std::stable_sort(corners.begin(), corners.end(),
-                   [](const Corner &a, const Corner &b) { return a.part < b.part; });
+  sortItems(corners, [](const Corner &a, const Corner &b) { return a.part < b.part; });
   return corners;
 }
 
@@ -262,8 +262,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   for (Index f = 0; f < toIndex(boundary.faces.size()); ++f)
     if (joined.find(f) == f) roots.push_back(f);
   const auto partOfFace = [&](Index f) { return parts.partOfSimplex[at(boundary.faces[at(f)].simplex)]; };
-  std::stable_sort(roots.begin(), roots.end(),
-                   [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
+  sortItems(roots, [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
   std::vector<Index> sideOf(boundary.faces.size());
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto [s, i] = boundary.faces[at(roots[k])];
@@ -293,7 +292,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
     for (int v = 0; v < N + 1; ++v)
       if (v != boundary.faces[f].face)
         incidences.emplace_back(mesh.simplices[at(boundary.faces[f].simplex)][v], sideOf[f]);
-  std::sort(incidences.begin(), incidences.end());
+  sortItems(incidences);
   incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
   std::size_t next = 0;
   for (Index node = 0; node < mesh.nodeCount(); ++node) {

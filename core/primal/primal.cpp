@@ -1,5 +1,6 @@
 #include "primal/primal.h"
 
+#include "base/sort.h"
 #include <tuple>
 
 namespace dualblock {
@@ -19,7 +20,7 @@ bool operator==(const PrimalFace &a, const PrimalFace &b) {
 }
 
 template <typename T> void sortUnique(std::vector<T> &items) {
-  std::sort(items.begin(), items.end(), [](const T &a, const T &b) { return a < b; });
+  sortItems(items, [](const T &a, const T &b) { return a < b; });
   items.erase(std::unique(items.begin(), items.end(), [](const T &a, const T &b) { return a == b; }),
               items.end());
 }

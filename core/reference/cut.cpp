@@ -1,5 +1,6 @@
 #include "reference/cut.h"
 
+#include "base/sort.h"
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -202,7 +203,7 @@ Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<
       for (int k = i + 1; k < N + 1; ++k)
         if (section.sign(v[i]) * section.sign(v[k]) < 0) crossing.emplace_back(std::minmax(v[i], v[k]));
   }
-  std::sort(crossing.begin(), crossing.end());
+  sortItems(crossing);
   crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
   std::vector<EdgeSplit> splits;
   splits.reserve(crossing.size());

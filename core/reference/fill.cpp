@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "domain/polygon.h"
+#include "reference/patches.h"
 #include "reference/raw_fill.h"
 #include "reference/refine.h"
-#include "reference/patches.h"
 #include "reference/unpinch.h"
 
 namespace dualblock {
@@ -50,7 +51,7 @@ template <int N> Shells findShells(const Domain<N> &domain) {
         uses.push_back({N == 2 ? std::array<Index, 2>{loop[k], loop[k]}
                                : sortedPair(loop[k], loop[(k + 1) % loop.size()]),
                         toIndex(f)});
-  std::sort(uses.begin(), uses.end());
+  sortItems(uses);
   DisjointSets sets(domain.facets.size());
   for (std::size_t u = 1; u < uses.size(); ++u)
     if (uses[u].first == uses[u - 1].first) sets.unite(uses[u].second, uses[u - 1].second);
@@ -181,7 +182,7 @@ template <int N> void findComponents(ReferenceMesh<N> &mesh) {
       Index &lowest = lowestFacet[at(raw[at(s)])].first;
       lowest = std::min(lowest, FaceTag::surface(mesh.tags[at(s)][i]));
     }
-  std::sort(lowestFacet.begin(), lowestFacet.end());
+  sortItems(lowestFacet);
   std::vector<Index> number(lowestFacet.size());
   for (std::size_t k = 0; k < lowestFacet.size(); ++k) number[at(lowestFacet[k].second)] = toIndex(k);
   mesh.component.resize(raw.size());

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sort.h"
 #include "domain/polygon.h"
 #include "reference/tetgen_adaptor.h"
 
@@ -25,7 +26,7 @@ template <int N> void noteNodeSimplices(ReferenceMesh<N> &mesh) {
 
 /// The face of simplex s that consists of these nodes, or -1.
 template <int N> int findFace(const ReferenceMesh<N> &mesh, Index s, std::array<Index, N> nodes) {
-  std::sort(nodes.begin(), nodes.end());
+  sortItems(nodes);
   for (int i = 0; i < N + 1; ++i)
     if (mesh.sortedFace(s, i) == nodes) return i;
   return -1;
@@ -142,7 +143,7 @@ Result<RawFill<2>> fillByTetgen(const Domain<2> &domain, double) {
     const auto &segment = domain.facets[f].loops[0];
     segments.push_back({{std::min(segment[0], segment[1]), std::max(segment[0], segment[1])}, toIndex(f)});
   }
-  std::sort(segments.begin(), segments.end());
+  sortItems(segments);
   for (Index s = 0; s < fill.mesh.simplexCount(); ++s)
     for (int i = 0; i < 3; ++i) {
       const auto edge = fill.mesh.sortedFace(s, i);
@@ -173,7 +174,7 @@ template <int N> Result<RawFill<N>> fillByGiven(const Domain<N> &domain, double 
   std::vector<std::array<Index, N>> faces;
   for (Index s = 0; s < fill.mesh.simplexCount(); ++s)
     for (int i = 0; i < N + 1; ++i) faces.push_back(fill.mesh.sortedFace(s, i));
-  std::sort(faces.begin(), faces.end());
+  sortItems(faces);
   for (std::size_t f = 0; f + 2 < faces.size(); ++f)
     if (faces[f] == faces[f + 2]) return invalid("has three simplices on one face", 0);
   double filled = 0;

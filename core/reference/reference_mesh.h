@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "reference/cut_field.h"
 
 namespace dualblock {
@@ -91,7 +92,7 @@ template <int N> struct ReferenceMesh {
     std::array<Index, N> face;
     for (int k = 0, m = 0; k < kVertices; ++k)
       if (k != i) face[m++] = simplices[at(s)][k];
-    std::sort(face.begin(), face.end());
+    sortItems(face);
     return face;
   }
 
@@ -225,7 +226,7 @@ template <int N> void connect(ReferenceMesh<N> &mesh) {
       mesh.nodeSimplex[at(mesh.simplices[at(s)][i])] = s;
     }
   }
-  std::sort(halves.begin(), halves.end(), [](const Half &a, const Half &b) {
+  sortItems(halves, [](const Half &a, const Half &b) {
     return a.key != b.key ? a.key < b.key : a.simplex < b.simplex;
   });
   for (std::size_t h = 0; h + 1 < halves.size(); ++h) {

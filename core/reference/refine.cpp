@@ -1,5 +1,6 @@
 #include "reference/refine.h"
 
+#include "base/sort.h"
 #include <cmath>
 #include <random>
 
@@ -20,7 +21,7 @@ template <int N> void splitInOrder(ReferenceMesh<N> &mesh, const std::vector<Wan
     mesh.nodes.push_back(mesh.nodes[at(w.a)] + w.position * (mesh.nodes[at(w.b)] - mesh.nodes[at(w.a)]));
     marked[at(w.a)] = marked[at(w.b)] = true;
   }
-  std::sort(splits.begin(), splits.end(),
+  sortItems(splits,
             [](const EdgeSplit &x, const EdgeSplit &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   std::vector<Index> affected;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
@@ -39,7 +40,7 @@ template <int N> std::vector<std::pair<Index, Index>> allEdges(const ReferenceMe
   for (const auto &v : mesh.simplices)
     for (int i = 0; i < N + 1; ++i)
       for (int k = i + 1; k < N + 1; ++k) edges.emplace_back(std::minmax(v[i], v[k]));
-  std::sort(edges.begin(), edges.end());
+  sortItems(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
@@ -54,7 +55,7 @@ template <int N> void splitLongEdges(ReferenceMesh<N> &mesh, double length) {
       if (l > length) tooLong.push_back({-l, edge});
     }
     if (tooLong.empty()) return;
-    std::sort(tooLong.begin(), tooLong.end());
+    sortItems(tooLong);
     std::vector<WantedSplit> wanted;
     for (const auto &[l, edge] : tooLong) wanted.push_back({edge.first, edge.second, 0.5});
     splitInOrder(mesh, wanted);
@@ -76,7 +77,7 @@ template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t see
 template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges) {
   for (auto &[a, b] : edges)
     if (a > b) std::swap(a, b);
-  std::sort(edges.begin(), edges.end());
+  sortItems(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   std::vector<WantedSplit> wanted;
   for (const auto &[a, b] : edges) wanted.push_back({a, b, 0.5});

@@ -1,4 +1,5 @@
 #include "reference/subdivide.h"
+#include "base/sort.h"
 
 namespace dualblock {
 namespace {
@@ -66,7 +67,7 @@ public:
   void relink() {
     for (const Index s : affected_)
       for (int i = 0; i < N + 1; ++i) halves_.push_back({mesh_.sortedFace(s, i), s, i});
-    std::sort(halves_.begin(), halves_.end(), [](const HalfFace &a, const HalfFace &b) {
+    sortItems(halves_, [](const HalfFace &a, const HalfFace &b) {
       return a.key != b.key ? a.key < b.key : a.simplex < b.simplex;
     });
     for (std::size_t h = 0; h + 1 < halves_.size(); ++h) {
@@ -104,7 +105,7 @@ Index splitNode(std::span<const EdgeSplit> edges, Index a, Index b) {
 
 template <int N>
 void subdivide(ReferenceMesh<N> &mesh, std::span<const EdgeSplit> edges, std::vector<Index> &affected) {
-  std::sort(affected.begin(), affected.end());
+  sortItems(affected);
   affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
   Patch<N> patch(mesh, affected);
 
@@ -150,7 +151,7 @@ template <int N> void splitFace(ReferenceMesh<N> &mesh, FaceRef<N> face) {
   if (other != kNone) both.push_back({other, mesh.mirrorFace(face.simplex, face.face)});
   std::vector<Index> affected;
   for (const FaceRef<N> &f : both) affected.push_back(f.simplex);
-  std::sort(affected.begin(), affected.end());
+  sortItems(affected);
   Patch<N> patch(mesh, affected);
   for (const FaceRef<N> &f : both) {
     const Piece<N> whole{mesh.simplices[at(f.simplex)], mesh.tags[at(f.simplex)]};
