@@ -1,6 +1,6 @@
 // tetgen.h with the switches that we never vary as constants: the code behind their other values is dead to
-// the compiler, which saves a fifth of TetGen. They are put into class tetgenbehavior by way of the
-// declaration of its method syntax(); tetgen_unit.cpp has TetGen's source read them instead of the variables.
+// the compiler, and no part of the module. They are put into class tetgenbehavior by way of the declaration
+// of its method syntax(); tetgen_unit.cpp has TetGen's source read them instead of the variables.
 #pragma once
 
 /// Setting another value would silently be lost, hence throws, as TetGen's internal errors do.
@@ -9,7 +9,7 @@ template <int Value> struct FixedSwitch {
   void operator=(int value) const {
     if (value != Value) throw 2;
   }
-  void operator++(int) const {}
+  void operator++(int) const {} // TetGen lowers and restores the verbosity; it only prints by it
   void operator--(int) const {}
 };
 
