@@ -99,8 +99,8 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
                               r.dual, r.surfaces, r.primal, r.domain.deviation});
 }
 
-/// The source of each component's parts: the one that gives fewest blocks, cuts before others. `limits`: blocks of the
-/// reference simplices, empty where cuts serve all that they should.
+/// The source of each component's parts: the one that gives fewest blocks, cuts before others. `limits`:
+/// blocks of the reference simplices, empty where cuts serve all that they should.
 template <int N>
 std::vector<PartSource> chooseSources(const PipelineResult<N> &r, const Decomposition<N> &decomposition,
                                       const std::vector<double> &limits, std::string &reason) {
@@ -134,8 +134,8 @@ template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coar
   return blocks;
 }
 
-/// The components of what the certificate's failures name, of those that can still change; all of them where a failure
-/// names nothing that belongs to one.
+/// The components of what the certificate's failures name, of those that can still change; all of them where
+/// a failure names nothing that belongs to one.
 template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std::vector<PartSource> &source) {
   std::vector<bool> blame(source.size(), false);
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
@@ -150,7 +150,8 @@ template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std:
       Index c = kNone;
       const Index k = static_cast<Index>(e.index);
       if (e.kind == "block") c = component[at(r.primal.blocks[at(k)].part)];
-      if (e.kind == "node" || e.kind == "cell") c = component[at(r.dual.pieces[at(r.primal.nodePiece[at(k)])].part)];
+      if (e.kind == "node" || e.kind == "cell")
+        c = component[at(r.dual.pieces[at(r.primal.nodePiece[at(k)])].part)];
       if (e.kind == "simplex") c = r.mesh.component[at(k)];
       if (e.kind == "facet") c = ofFacet[at(k)];
       if (c == kNone || source[at(c)] == PartSource::simplices) continue;
@@ -268,14 +269,18 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   r.cuts = decomposition.cuts;
   r.vertexCuts = decomposition.vertexCuts;
   r.bentCuts = decomposition.bentCuts;
-  for (Index f = 0; f < toIndex(domain.facets.size()); ++f) r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
+  for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
+    r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
 
-  // Components that the cuts cannot serve get simplices for parts; so do those, later, that the certificate blames.
-  if (std::find(decomposition.gaveUp.begin(), decomposition.gaveUp.end(), true) != decomposition.gaveUp.end()) limitOf(0);
-  if (std::any_of(r.parts.parts.begin(), r.parts.parts.end(), [](const PartInfo &p) { return !p.simple; })) limitOf(0);
+  // Components that the cuts cannot serve get simplices for parts; so do those, later, that the certificate
+  // blames.
+  if (std::find(decomposition.gaveUp.begin(), decomposition.gaveUp.end(), true) != decomposition.gaveUp.end())
+    limitOf(0);
+  if (std::any_of(r.parts.parts.begin(), r.parts.parts.end(), [](const PartInfo &p) { return !p.simple; }))
+    limitOf(0);
   std::vector<PartSource> source = chooseSources(r, decomposition, limits, r.fallbackReason);
   const auto count = [&](PartSource wanted) {
     return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
@@ -315,13 +320,15 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       break;
     }
     if (r.fallbackReason.empty())
-      r.fallbackReason = built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
-                               : "repairs of the reference mesh did not end";
+      r.fallbackReason =
+          built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
+                : "repairs of the reference mesh did not end";
     const std::vector<bool> more =
         built && attempt < kBlameRounds ? blamed(r, source) : std::vector<bool>(source.size(), true);
     for (std::size_t c = 0; c < source.size(); ++c) {
       if (!more[c]) continue;
-      const bool canPull = decomposition.pulled && decomposition.pulled->blocks[c] < std::numeric_limits<double>::infinity();
+      const bool canPull =
+          decomposition.pulled && decomposition.pulled->blocks[c] < std::numeric_limits<double>::infinity();
       source[c] = source[c] == PartSource::cuts && canPull ? PartSource::pulled : PartSource::simplices;
     }
     r.certificate = {};

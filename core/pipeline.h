@@ -12,9 +12,9 @@
 namespace dualblock {
 
 struct PipelineOptions {
-  double edgeLength = 0;   // of the reference mesh; 0: as coarse as TetGen makes it
-  std::uint32_t seed = 0;  // > 0: vary the reference mesh at random
-  double tolerance = 1e-6; // of planarity, relative to the domain's size
+  double edgeLength = 0;    // of the reference mesh; 0: as coarse as TetGen makes it
+  std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
+  double tolerance = 1e-6;  // of planarity, relative to the domain's size
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 
@@ -37,9 +37,9 @@ template <int N> struct PipelineResult {
   Index fillSimplices = 0; // of the reference mesh before cuts and repairs
   std::string remedy;      // what it took TetGen to succeed, or empty
   Index cuts = 0;
-  Index vertexCuts = 0; // of the cuts: by vertices of too many sides
-  Index bentCuts = 0;   // of the cuts: across bent sides
-  Index bentSides = 0;  // of the domain
+  Index vertexCuts = 0;         // of the cuts: by vertices of too many sides
+  Index bentCuts = 0;           // of the cuts: across bent sides
+  Index bentSides = 0;          // of the domain
   Index repairs = 0;            // nodes added by repairs of conditions (a) and (b)
   Index fallbackComponents = 0; // components where every reference simplex became a part
   Index pulledComponents = 0;   // components where only parts that are not simple became simplices

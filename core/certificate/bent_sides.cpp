@@ -1,5 +1,6 @@
-// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and two things do not
-// follow from volumes and planes any more: that nodes lie on the surface, and that the boundary does not cross itself.
+// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and two things
+// do not follow from volumes and planes any more: that nodes lie on the surface, and that the boundary does
+// not cross itself.
 #include <cmath>
 #include <limits>
 
@@ -10,11 +11,14 @@ namespace dualblock {
 namespace {
 
 /// Distance of a point from a planar polygon with holes.
-double distanceToFacet(const std::vector<Vec<3>> &v, const Facet &facet, const Plane<3> &plane, const Vec<3> &x) {
+double distanceToFacet(const std::vector<Vec<3>> &v, const Facet &facet, const Plane<3> &plane,
+                       const Vec<3> &x) {
   double least = std::numeric_limits<double>::infinity();
   bool inside = false;
   const Vec<3> n = glm::abs(plane.normal);
-  const int drop = n.x > n.y && n.x > n.z ? 0 : n.y > n.z ? 1 : 2; // project along the longest axis of the normal
+  const int drop = n.x > n.y && n.x > n.z ? 0
+                   : n.y > n.z            ? 1
+                                          : 2; // project along the longest axis of the normal
   const int i = (drop + 1) % 3;
   const int j = (drop + 2) % 3;
   for (const auto &loop : facet.loops)
@@ -66,12 +70,13 @@ void checkNodes(const CertificateInput<3> &in, const BlockComplex<3> &complex, d
                               [](const Extent &a, Index p) { return a.patch < p; });
     bool found = false;
     for (; !found && e != extents.end() && e->patch == patch && e->low <= x.x + tolerance; ++e)
-      found = e->high >= x.x - tolerance &&
-              distanceToFacet(in.domain.vertices, in.domain.facets[at(e->facet)],
-                              in.mesh.surfaces[at(e->facet)].plane, x) <= tolerance;
+      found =
+          e->high >= x.x - tolerance && distanceToFacet(in.domain.vertices, in.domain.facets[at(e->facet)],
+                                                        in.mesh.surfaces[at(e->facet)].plane, x) <= tolerance;
     if (!found)
       certificate.fail(Check::features,
-                       "node " + std::to_string(node) + " is off the bent side of facet " + std::to_string(patch),
+                       "node " + std::to_string(node) + " is off the bent side of facet " +
+                           std::to_string(patch),
                        {{"node", node}, {"facet", patch}});
   }
 }
@@ -87,8 +92,8 @@ std::array<Quad, 4> quarters(const Quad &q) {
   return {Quad{q[0], a, m, d}, Quad{a, q[1], b, m}, Quad{m, b, q[2], c}, Quad{d, m, c, q[3]}};
 }
 
-/// Whether some plane has all corners of p behind it and those of q in front, up to `margin` (negative: and a gap). A
-/// bilinear patch lies in the hull of its corners.
+/// Whether some plane has all corners of p behind it and those of q in front, up to `margin` (negative: and a
+/// gap). A bilinear patch lies in the hull of its corners.
 bool separated(const Quad &p, const Quad &q, double margin) {
   const auto splits = [&](const Vec<3> &axis) {
     const double length = glm::length(axis);
@@ -119,8 +124,8 @@ bool separated(const Quad &p, const Quad &q, double margin) {
   return false;
 }
 
-/// Whether two faces are apart. Faces that share a node can only be told apart beyond its surroundings, where positive
-/// blocks keep them apart.
+/// Whether two faces are apart. Faces that share a node can only be told apart beyond its surroundings, where
+/// positive blocks keep them apart.
 bool areApart(const Quad &p, const Quad &q, bool touch, double margin, int depth) {
   if (separated(p, q, touch ? margin : -margin)) return true;
   if (depth == 0) return touch;

@@ -166,8 +166,8 @@ void countNodesAndEdges(const CertificateInput<N> &in, const BoundarySkeleton<N>
   }
 }
 
-/// What each cell's Euler characteristic should be: 1, less 1 for each time that the domain's boundary comes back to a
-/// node that the cell holds. There the domain itself is no manifold, and its neighbourhood no ball.
+/// What each cell's Euler characteristic should be: 1, less 1 for each time that the domain's boundary comes
+/// back to a node that the cell holds. There the domain itself is no manifold, and its neighbourhood no ball.
 template <int N> std::vector<Index> eulerOfCells(const CertificateInput<N> &in, EulerCount<N> &euler) {
   std::vector<Index> wanted(euler.ofCell.size(), 1);
   for (const auto &[node, s] : findPinches(in)) {

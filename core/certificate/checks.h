@@ -39,7 +39,8 @@ template <int N> Index facetOf(const CertificateInput<N> &in, const BlockFace<N>
   return in.mesh.surfaces[at(surface)].kind == SurfaceKind::facet ? surface : kNone;
 }
 
-/// Sorted. Turns around each edge of each block face on a facet, through the blocks, until another facet ends the fan.
+/// Sorted. Turns around each edge of each block face on a facet, through the blocks, until another facet ends
+/// the fan.
 template <int N>
 std::vector<Crease> findCreases(const CertificateInput<N> &input, const BlockComplex<N> &complex);
 
@@ -72,7 +73,8 @@ void checkCurves(const CertificateInput<3> &input, const std::vector<Crease> &cr
                  Certificate &certificate);
 void checkCurves(const CertificateInput<2> &input, const std::vector<Crease> &creases, double tolerance,
                  Certificate &certificate);
-/// Of check 5, where sides are bent: nodes on them lie on their facets, and no part of the boundary meets another.
+/// Of check 5, where sides are bent: nodes on them lie on their facets, and no part of the boundary meets
+/// another.
 void checkBentSides(const CertificateInput<3> &input, const BlockComplex<3> &complex, double tolerance,
                     Certificate &certificate);
 

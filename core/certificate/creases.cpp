@@ -4,7 +4,8 @@
 
 namespace dualblock {
 
-/// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the fan.
+/// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the
+/// fan.
 template <int N>
 std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
   const auto key = [&](const BlockFace<N> &face) {
@@ -12,7 +13,8 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
   };
   const auto mateOf = [&](Index f) { // the same face, seen from the other block
     if (f > 0 && complex.faces[at(f - 1)].key == complex.faces[at(f)].key) return f - 1;
-    if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key) return f + 1;
+    if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key)
+      return f + 1;
     return kNone;
   };
   const auto holds = [](const BlockFace<N> &face, Index node) {
@@ -32,7 +34,8 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
         Index across = kNone;
         for (int f = 0; f < 2 * N; ++f) {
           const Index face = complex.faceOf[at(2 * N * block + f)];
-          if (f != from && holds(complex.faces[at(face)], a) && holds(complex.faces[at(face)], b)) across = face;
+          if (f != from && holds(complex.faces[at(face)], a) && holds(complex.faces[at(face)], b))
+            across = face;
         }
         if (across == kNone) break;
         if (facetOf(in, complex.faces[at(across)]) != kNone) {

@@ -1,5 +1,6 @@
-// Of check 5: each curve of the domain is a chain of primal edges. The nodes of the creases between two patches are
-// put in order along the domain's curves between them; creases must join neighbours, from end to end.
+// Of check 5: each curve of the domain is a chain of primal edges. The nodes of the creases between two
+// patches are put in order along the domain's curves between them; creases must join neighbours, from end to
+// end.
 #include <limits>
 #include <map>
 
@@ -75,8 +76,8 @@ double distanceAlong(const Course::Stretch &s, const Vec<3> &x, double &along) {
 }
 
 /// Whether the creases join the course's nodes in their order, all around or from end to end.
-bool followsCourse(const CertificateInput<3> &in, const Course &course, const Crease *begin, const Crease *end,
-                   double tolerance) {
+bool followsCourse(const CertificateInput<3> &in, const Course &course, const Crease *begin,
+                   const Crease *end, double tolerance) {
   std::vector<std::array<Place, 2>> links;
   for (const Crease *c = begin; c != end; ++c) {
     // The piece that holds both nodes best: nodes where pieces meet lie on several.
@@ -113,7 +114,8 @@ bool followsCourse(const CertificateInput<3> &in, const Course &course, const Cr
       joined.push_back(sortedPair(link[0].node, link[1].node));
     }
     sortItems(order);
-    order.erase(std::unique(order.begin(), order.end(), [](const auto &a, const auto &b) { return a.second == b.second; }),
+    order.erase(std::unique(order.begin(), order.end(),
+                            [](const auto &a, const auto &b) { return a.second == b.second; }),
                 order.end());
     if (order.size() < 2) return false;
     const double length = course.lengths[at(piece)];
@@ -142,8 +144,8 @@ template <int N> std::array<Index, 2> keysOf(const CertificateInput<N> &in, cons
 
 template <int N> void failCurve(const std::array<Index, 2> &keys, Certificate &certificate) {
   certificate.fail(Check::features,
-                   "the curve between facets " + std::to_string(keys[0] / 2) + " and " + std::to_string(keys[1] / 2) +
-                       " is no chain of primal edges",
+                   "the curve between facets " + std::to_string(keys[0] / 2) + " and " +
+                       std::to_string(keys[1] / 2) + " is no chain of primal edges",
                    {{"facet", keys[0] / 2}, {"facet", keys[1] / 2}});
 }
 
@@ -165,7 +167,8 @@ void checkCurves(const CertificateInput<3> &in, const std::vector<Crease> &creas
       const auto &more = in.features.curves[order[end].second].ridges;
       ridges.insert(ridges.end(), more.begin(), more.end());
     }
-    const Crease *first = creases.data() + (std::lower_bound(creases.begin(), creases.end(), keys, keysLess) - creases.begin());
+    const Crease *first =
+        creases.data() + (std::lower_bound(creases.begin(), creases.end(), keys, keysLess) - creases.begin());
     const Crease *last = first;
     while (last != creases.data() + creases.size() && last->keys == keys) ++last;
     known += static_cast<std::size_t>(last - first);
@@ -186,7 +189,8 @@ void checkCurves(const CertificateInput<2> &in, const std::vector<Crease> &creas
   sortItems(wanted);
   if (wanted == made) return; // creases are sorted
   std::vector<std::array<Index, 2>> different;
-  std::set_symmetric_difference(wanted.begin(), wanted.end(), made.begin(), made.end(), std::back_inserter(different));
+  std::set_symmetric_difference(wanted.begin(), wanted.end(), made.begin(), made.end(),
+                                std::back_inserter(different));
   for (const auto &keys : different) failCurve<2>(keys, certificate);
 }
 

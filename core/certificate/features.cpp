@@ -67,7 +67,8 @@ void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, 
   for (std::size_t f = 0; f < covered.size(); ++f) straight[f] = !in.mesh.surfaces[f].bent;
   for (const Curve<N> &curve : in.features.curves) {
     std::array<std::size_t, 2> f;
-    for (std::size_t k = 0; k < 2; ++k) f[k] = at(FaceTag::surface(in.features.sides[at(curve.sides[k])].tag));
+    for (std::size_t k = 0; k < 2; ++k)
+      f[k] = at(FaceTag::surface(in.features.sides[at(curve.sides[k])].tag));
     if (in.mesh.surfaces[f[0]].bent || in.mesh.surfaces[f[1]].bent) straight[f[0]] = straight[f[1]] = false;
   }
   for (std::size_t f = 0; f < covered.size(); ++f) {

@@ -49,8 +49,8 @@ template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &
       const Index t = in.mesh.neighbors[at(s)][i];
       if (t == kNone) {
         if (empty) continue;
-        // A D-bar-surface may cross itself on the boundary, where it comes back from around a hole, but as the sides
-        // that it belongs to there are two, a side has one contribution.
+        // A D-bar-surface may cross itself on the boundary, where it comes back from around a hole, but as
+        // the sides that it belongs to there are two, a side has one contribution.
         const Contribution *const end = in.contributions.ofSimplex.end(s);
         for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != end; ++c)
           for (const Contribution *d = c + 1; d != end; ++d)

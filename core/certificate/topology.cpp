@@ -50,7 +50,7 @@ Index eulerByCounting(const ReferenceMesh<3> &mesh) {
       if (mesh.neighbors[at(s)][i] < s) ++faces; // outer ones, and inner ones from the later simplex
       for (int k = i + 1; k < 4; ++k) edges.push_back(sortedPair(v[i], v[k]));
     }
-  std::sort(edges.begin(), edges.end());
+  sortItems(edges);
   const auto last = std::unique(edges.begin(), edges.end());
   return toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true))) -
          static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
@@ -82,18 +82,18 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
     // A 3-manifold with boundary has half the Euler characteristic of its boundary.
     if (!findPinches(in).empty()) shape.euler = eulerByCounting(mesh);
     else {
-    std::vector<bool> used(mesh.nodes.size(), false);
-    Index nodes = 0;
-    std::vector<std::array<Index, 2>> edges;
-    for (const auto &f : boundary)
-      for (int k = 0; k < 3; ++k) {
-        if (!used[at(f[k])]) ++nodes;
-        used[at(f[k])] = true;
-        edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
-      }
-    sortItems(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
+      std::vector<bool> used(mesh.nodes.size(), false);
+      Index nodes = 0;
+      std::vector<std::array<Index, 2>> edges;
+      for (const auto &f : boundary)
+        for (int k = 0; k < 3; ++k) {
+          if (!used[at(f[k])]) ++nodes;
+          used[at(f[k])] = true;
+          edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
+        }
+      sortItems(edges);
+      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+      shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
     }
   }
   shape.components = nodeComponents(mesh.simplices, mesh.nodes.size());
@@ -124,7 +124,9 @@ template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockC
 
 } // namespace
 
-template <> std::vector<Pinch> findPinches(const CertificateInput<2> &) { return {}; } // unpinch has doubled those
+template <> std::vector<Pinch> findPinches(const CertificateInput<2> &) {
+  return {};
+} // unpinch has doubled those
 
 template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
   // Corners of outer faces: two at one node go together where their faces share an edge there.
@@ -141,11 +143,12 @@ template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
         if (v == i) continue;
         const Index node = in.mesh.simplices[at(s)][v];
         for (int w = 0; w < 4; ++w)
-          if (w != i && w != v) fans.push_back({{node, in.mesh.simplices[at(s)][w]}, toIndex(corners.size())});
+          if (w != i && w != v)
+            fans.push_back({{node, in.mesh.simplices[at(s)][w]}, toIndex(corners.size())});
         corners.push_back({node, s});
       }
     }
-  std::sort(fans.begin(), fans.end(), [](const Fan &a, const Fan &b) {
+  sortItems(fans, [](const Fan &a, const Fan &b) {
     return a.edge != b.edge ? a.edge < b.edge : a.corner < b.corner;
   });
   DisjointSets sets(corners.size());

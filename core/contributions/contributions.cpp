@@ -20,7 +20,8 @@ bool faceIsOnSide(const ReferenceMesh<N> &mesh, const Parts<N> &parts, Index s, 
   return found != end && found->simplex == s && found->face == i;
 }
 
-/// Whether an edge between two nodes of the side, within `mask`, is none of the side's: only bent sides have those.
+/// Whether an edge between two nodes of the side, within `mask`, is none of the side's: only bent sides have
+/// those.
 template <int N>
 bool hasForeignEdge(const ReferenceMesh<N> &mesh, const SideEdges &edges, Index s, Contribution c) {
   const auto &v = mesh.simplices[at(s)];
@@ -47,7 +48,8 @@ SideEdges::SideEdges(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const 
 }
 
 bool SideEdges::has(Index side, Index a, Index b) const {
-  return std::binary_search(edges_.begin(), edges_.end(), std::array<Index, 3>{side, std::min(a, b), std::max(a, b)});
+  return std::binary_search(edges_.begin(), edges_.end(),
+                            std::array<Index, 3>{side, std::min(a, b), std::max(a, b)});
 }
 
 template SideEdges::SideEdges(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<bool> &);
@@ -56,7 +58,8 @@ template SideEdges::SideEdges(const ReferenceMesh<3> &, const Parts<3> &, const 
 template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
   std::vector<bool> bent(parts.sides.size(), false);
   for (std::size_t side = 0; side < bent.size(); ++side)
-    bent[side] = mesh.surfaces[at(FaceTag::surface(parts.sides[side].tag))].bent && parts.sideFaces.size(toIndex(side)) > 1;
+    bent[side] = mesh.surfaces[at(FaceTag::surface(parts.sides[side].tag))].bent &&
+                 parts.sideFaces.size(toIndex(side)) > 1;
   const SideEdges bentEdges(mesh, parts, bent);
   Contributions<N> result;
   const std::size_t count = mesh.simplices.size();

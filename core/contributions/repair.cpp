@@ -89,7 +89,9 @@ Index repairFullness(ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::v
       const Index tag = mesh.tags[at(s)][i];
       if (tag != kNone && mesh.sideKey(tag) == mesh.sideKey(parts.sides[at(c.side)].tag)) continue;
       const Index t = mesh.neighbors[at(s)][i];
-      const auto isChanged = [&](Index x) { return std::find(changed.begin(), changed.end(), x) != changed.end(); };
+      const auto isChanged = [&](Index x) {
+        return std::find(changed.begin(), changed.end(), x) != changed.end();
+      };
       if (isChanged(s) || (t != kNone && isChanged(t))) continue;
       changed.push_back(s);
       if (t != kNone) changed.push_back(t);

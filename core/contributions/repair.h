@@ -6,8 +6,8 @@
 
 namespace dualblock {
 
-/// Splits the edges, else the faces, of the offending simplices whose nodes lie on a side that they are not part
-/// of. Returns the number of nodes added; 0 means that there is nothing left to split.
+/// Splits the edges, else the faces, of the offending simplices whose nodes lie on a side that they are not
+/// part of. Returns the number of nodes added; 0 means that there is nothing left to split.
 template <int N>
 Index repairFullness(ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::vector<NotFull> &notFull);
 

@@ -28,8 +28,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
     std::vector<Index> corners;
     for (const auto &loop : domain.facets[f].loops) {
       if (loop.size() < 3)
-        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.",
-                     culprit};
+        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.", culprit};
       corners.insert(corners.end(), loop.begin(), loop.end());
     }
     sortItems(corners);
@@ -46,8 +45,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
             glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
     if (!(glm::length(area) > tolerance * perimeter))
       return Error{ErrorCode::degenerateFacet,
-                   name + " has no area: remove it, and join the facets on both sides of it.",
-                   culprit};
+                   name + " has no area: remove it, and join the facets on both sides of it.", culprit};
     if (!seen.insert(corners).second)
       return Error{ErrorCode::duplicateFacet,
                    name + " has the same corners as an earlier facet: remove one of them.", culprit};
@@ -90,9 +88,9 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
       for (Index &v : loop) v = first[at(v)];
 }
 
-/// Drops what equal points leave no doubt about: triangles that lost a corner when equal vertices were merged,
-/// and the second of two facets that are the same but turned over, which is how solids that share a facet are
-/// given. Returns, per facet of the input, its new number or kNone.
+/// Drops what equal points leave no doubt about: triangles that lost a corner when equal vertices were
+/// merged, and the second of two facets that are the same but turned over, which is how solids that share a
+/// facet are given. Returns, per facet of the input, its new number or kNone.
 std::vector<Index> dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<3> &given) {
   const auto cycleOf = [](std::vector<Index> loop) {
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -108,7 +106,8 @@ std::vector<Index> dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<
     if (facet.loops.size() == 1) {
       const std::vector<Index> &loop = facet.loops[0];
       const std::vector<Index> &old = given.facets[f].loops[0];
-      if (loop.size() == 3 && std::set(loop.begin(), loop.end()).size() < std::set(old.begin(), old.end()).size()) {
+      if (loop.size() == 3 &&
+          std::set(loop.begin(), loop.end()).size() < std::set(old.begin(), old.end()).size()) {
         ++collapsed;
         continue;
       }
@@ -126,7 +125,8 @@ std::vector<Index> dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<
   }
   prepared.domain.facets = std::move(kept);
   if (collapsed > 0)
-    prepared.repairs.push_back(std::to_string(collapsed) + " triangles with two corners at one point were dropped");
+    prepared.repairs.push_back(std::to_string(collapsed) +
+                               " triangles with two corners at one point were dropped");
   if (shared > 0)
     prepared.repairs.push_back(std::to_string(shared) +
                                " facets that two solids share, given by both, were taken once");
@@ -154,21 +154,22 @@ void orientHoleLoops(PreparedDomain<3> &prepared) {
   if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " hole loops were turned round");
 }
 
-/// Every edge must belong to at least two facets; and where to two only, solids share both of them or none. kept: per
-/// facet of the input, its number here; given: the other way round.
+/// Every edge must belong to at least two facets; and where to two only, solids share both of them or none.
+/// kept: per facet of the input, its number here; given: the other way round.
 std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<Index> &kept,
                                  const std::vector<Index> &given) {
   const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
     if (end - begin == 1)
-      return Error{
-          ErrorCode::openBoundary,
-          "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
-              " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
-              std::to_string(given[at(uses[begin].facet)]) +
-              " only. Close the gap, or merge vertices that should be one.",
-          {{"facet", given[at(uses[begin].facet)]}, {"vertex", uses[begin].nodes[0]}, {"vertex", uses[begin].nodes[1]}}};
+      return Error{ErrorCode::openBoundary,
+                   "The boundary is open: the edge from vertex " + std::to_string(uses[begin].nodes[0]) +
+                       " to vertex " + std::to_string(uses[begin].nodes[1]) + " belongs to facet " +
+                       std::to_string(given[at(uses[begin].facet)]) +
+                       " only. Close the gap, or merge vertices that should be one.",
+                   {{"facet", given[at(uses[begin].facet)]},
+                    {"vertex", uses[begin].nodes[0]},
+                    {"vertex", uses[begin].nodes[1]}}};
     const auto shared = [&](std::size_t u) { return prepared.domain.facets[at(uses[u].facet)].isInterface; };
     if (end - begin != 2 || shared(begin) == shared(begin + 1)) continue;
     const Index facet = uses[shared(begin) ? begin : begin + 1].facet;
@@ -238,8 +239,7 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   MergedFacets merged = mergeCoplanar(given.vertices, prepared.domain.facets, allowed);
   dropStraightVertices(given.vertices, merged.facets, allowed);
   prepared.domain.facets = std::move(merged.facets);
-  for (const Index f : kept)
-    prepared.facetOfGiven.push_back(f == kNone ? kNone : merged.facetOfGiven[at(f)]);
+  for (const Index f : kept) prepared.facetOfGiven.push_back(f == kNone ? kNone : merged.facetOfGiven[at(f)]);
   for (const Facet &facet : prepared.domain.facets)
     prepared.deviation = std::max(prepared.deviation,
                                   deviation<3>(given.vertices, facet, facetPlane<3>(given.vertices, facet)));

@@ -32,7 +32,8 @@ Vec<3> nearestOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index 
   double least = std::numeric_limits<double>::infinity();
   for (const FaceRef<3> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
     const auto face = mesh.sortedFace(f->simplex, f->face);
-    const Vec<3> y = nearestOnTriangle(x, mesh.nodes[at(face[0])], mesh.nodes[at(face[1])], mesh.nodes[at(face[2])]);
+    const Vec<3> y =
+        nearestOnTriangle(x, mesh.nodes[at(face[0])], mesh.nodes[at(face[1])], mesh.nodes[at(face[2])]);
     if (glm::length(y - x) >= least) continue;
     least = glm::length(y - x);
     best = y;
@@ -55,7 +56,8 @@ struct Mean {
 void followBentSides(const ReferenceMesh<3> &mesh, const Parts<3> &parts, const DualCells<3> &dual,
                      Primal<3> &primal) {
   const auto isBent = [&](Index side) {
-    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].bent && parts.sideFaces.size(side) > 1;
+    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].bent &&
+           parts.sideFaces.size(side) > 1;
   };
   std::vector<bool> partIsBent(parts.parts.size(), false);
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side)

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "geometry/bent_placement.h"
-#include "geometry/untangle.h"
 #include "geometry/jacobian.h"
+#include "geometry/untangle.h"
 
 namespace dualblock {
 namespace {

@@ -14,17 +14,17 @@ template <int N> double smallest(const Block<N> &block, const std::vector<Vec<N>
   return *std::min_element(coefficients.begin(), coefficients.end());
 }
 
-/// Moves `node` along D directions to the depth inside every coefficient's half-space that is largest. False if it
-/// stands there already, or there is no better place.
+/// Moves `node` along D directions to the depth inside every coefficient's half-space that is largest. False
+/// if it stands there already, or there is no better place.
 template <int N, int D>
-bool moveNode(const std::vector<const Block<N> *> &blocks, Index node, const std::array<Vec<N>, D> &directions,
-              std::vector<Vec<N>> &positions) {
+bool moveNode(const std::vector<const Block<N> *> &blocks, Index node,
+              const std::array<Vec<N>, D> &directions, std::vector<Vec<N>> &positions) {
   const Vec<N> start = positions[at(node)];
   double scale = 0;
   for (const Block<N> *b : blocks)
     for (const Index v : b->nodes) scale = std::max(scale, glm::length(positions[at(v)] - start));
-  // Unknowns: steps along the directions in units of scale, and the depth. An affine function is known from its
-  // values at the start and one step along each direction.
+  // Unknowns: steps along the directions in units of scale, and the depth. An affine function is known from
+  // its values at the start and one step along each direction.
   std::vector<LinearConstraint<D + 1>> constraints;
   double depth = std::numeric_limits<double>::infinity();
   for (const Block<N> *b : blocks) {
@@ -151,7 +151,8 @@ private:
 } // namespace
 
 template <int N>
-Index untangle(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual, Primal<N> &primal) {
+Index untangle(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual,
+               Primal<N> &primal) {
   std::vector<Index> bad;
   for (std::size_t b = 0; b < primal.blocks.size(); ++b)
     if (smallest<N>(primal.blocks[b], primal.positions) <= 0) bad.push_back(toIndex(b));

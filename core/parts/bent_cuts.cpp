@@ -16,9 +16,9 @@ namespace {
 
 /// A side may turn away from its mean normal by this much; a half cylinder does by 90 degrees.
 const double kLeastCosine = std::cos(70 * std::numbers::pi / 180);
-constexpr double kOnAxis = 1e-6;     // of the domain's size: nearer than this is on the axis
-constexpr double kAlike = 1e-6;      // of the domain's size: mirror images
-constexpr double kNearMiddle = 0.8;  // cosine: corners that are this near to the middle attract a cut
+constexpr double kOnAxis = 1e-6;    // of the domain's size: nearer than this is on the axis
+constexpr double kAlike = 1e-6;     // of the domain's size: mirror images
+constexpr double kNearMiddle = 0.8; // cosine: corners that are this near to the middle attract a cut
 
 /// A proposal: where to cut, and the nodes from which the cut spreads (none: from anywhere in the part).
 struct Proposal {
@@ -46,7 +46,8 @@ struct PartView {
   std::vector<const Corner *> corners;
 
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
-  /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean little.
+  /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
+  /// little.
   bool isGiven(Index side) const {
     return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].kind == SurfaceKind::facet;
   }
@@ -55,8 +56,8 @@ struct PartView {
   }
 };
 
-/// No curve at all: through the middle, across the direction in which the part extends least; of directions that
-/// are as good the coordinate axes, z first, go before.
+/// No curve at all: through the middle, across the direction in which the part extends least; of directions
+/// that are as good the coordinate axes, z first, go before.
 std::optional<Proposal> halve(const PartView &v) {
   Vec<3> mean{0.0};
   double weight = 0;
@@ -132,8 +133,8 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   return proposal;
 }
 
-/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those on a given
-/// side and a plane cut hardly less so.
+/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those
+/// on a given side and a plane cut hardly less so.
 int raggedness(const PartView &v, const Loop &loop) {
   int ragged = 0;
   for (const Index side : loop.sides)
@@ -149,9 +150,9 @@ std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axi
   return half;
 }
 
-/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then corners of
-/// the part, then nodes of the curve, then how near they are to a coordinate plane. Where all corners are on one side
-/// of the axis, the half plane there is enough.
+/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then
+/// corners of the part, then nodes of the curve, then how near they are to a coordinate plane. Where all
+/// corners are on one side of the axis, the half plane there is enough.
 std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
   Axis axis;
   if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
@@ -201,14 +202,16 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
     const Plane<3> plane = planeThrough(axis.centre, across);
     Score score{0, 0, 0, 0};
     for (const Axis &o : others)
-      if (std::abs(plane.distance(o.centre)) <= reach && std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
+      if (std::abs(plane.distance(o.centre)) <= reach &&
+          std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
         ++std::get<0>(score);
     const Vec<3> towards = target - axis.centre;
     int behind = 0;
     for (const Corner *corner : v.corners) {
       if (std::abs(plane.distance(v.node(corner->node))) > reach) continue;
       const Vec<3> d = v.node(corner->node) - axis.centre;
-      ++(glm::dot(d - glm::dot(d, axis.direction) * axis.direction, towards) > 0 ? std::get<1>(score) : behind);
+      ++(glm::dot(d - glm::dot(d, axis.direction) * axis.direction, towards) > 0 ? std::get<1>(score)
+                                                                                 : behind);
     }
     const bool half = std::get<0>(score) == 0 && std::get<1>(score) > 0 && behind == 0;
     std::get<1>(score) += behind;
@@ -224,10 +227,11 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
     ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
                                         half ? halfOf(v, loop.chain, axis, towards) : loop.chain.nodes});
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
+  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
   constexpr std::size_t kTried = 8;
   std::vector<Proposal> list;
-  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k) list.push_back(std::move(ranked[k].second));
+  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k)
+    list.push_back(std::move(ranked[k].second));
   return list;
 }
 
@@ -250,8 +254,7 @@ bool turnsTooFar(const PartView &v, Index side) {
   std::vector<std::pair<Vec<3>, double>> normals;
   for (const FaceRef<3> *f = v.parts.sideFaces.begin(side); f != v.parts.sideFaces.end(side); ++f) {
     const auto face = v.mesh.sortedFace(f->simplex, f->face);
-    const Vec<3> area =
-        glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0]));
+    const Vec<3> area = glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0]));
     const Vec<3> normal = v.mesh.outwardNormal(f->simplex, f->face);
     sum += glm::length(area) * normal;
     total += glm::length(area);
@@ -264,8 +267,9 @@ bool turnsTooFar(const PartView &v, Index side) {
   return beyond > 0.02 * total;
 }
 
-/// Across a side that turns too far: through the axis of the arc that turns most, and a corner of the part near the
-/// middle, or else the middle itself. Where there is a second such arc the plane runs from one to the other.
+/// Across a side that turns too far: through the axis of the arc that turns most, and a corner of the part
+/// near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
+/// the other.
 std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   struct Arc {
     double turn;
@@ -286,13 +290,14 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
       arcs.push_back({glm::dot(a + b, middle) >= 0 ? half : std::numbers::pi - half, std::move(chain), axis});
     }
   }
-  std::stable_sort(arcs.begin(), arcs.end(), [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
+  sortItems(arcs, [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
   if (arcs.empty()) return std::nullopt;
   const Chain &chain = arcs[0].chain;
   Axis axis = arcs[0].axis;
   if (arcs.size() > 1 && arcs[1].turn > 0.9 * arcs[0].turn) {
     const Vec<3> along = arcs[1].axis.centre - axis.centre;
-    if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along)) axis.direction = glm::normalize(along);
+    if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along))
+      axis.direction = glm::normalize(along);
   }
   Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
   const Vec<3> across = v.node(chain.nodes.back()) - v.node(chain.nodes.front());
@@ -309,7 +314,8 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
     nearest = cosine;
     towards = glm::normalize(d);
   }
-  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)), halfOf(v, chain, axis, towards)};
+  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
+                  halfOf(v, chain, axis, towards)};
 }
 
 std::vector<Proposal> proposals(const PartView &v) {
@@ -335,8 +341,7 @@ std::vector<Proposal> proposals(const PartView &v) {
     if (chains.size() > 1) several.push_back(std::move(chains));
   }
   for (const auto &chains : several) add(separate(v, chains));
-  std::stable_sort(loops.begin(), loops.end(),
-                   [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
+  sortItems(loops, [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
   for (const Loop &loop : loops)
     for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
   add(betweenCorners(v));
@@ -345,7 +350,8 @@ std::vector<Proposal> proposals(const PartView &v) {
   return list;
 }
 
-bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal, const BentCutOptions &options) {
+bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
+              const BentCutOptions &options) {
   if (proposal.surface.field && resolve(mesh, *proposal.surface.field, options.tolerance) > 0)
     return true; // parts have to be found anew; the next round cuts
   std::vector<Index> from = proposal.from;
@@ -353,9 +359,9 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
   std::vector<CutSeed<3>> seeds;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
     if (v.parts.partOfSimplex[at(s)] != v.part) continue;
-    const bool touches = from.empty() || std::any_of(mesh.simplices[at(s)].begin(), mesh.simplices[at(s)].end(), [&](Index n) {
-                           return std::binary_search(from.begin(), from.end(), n);
-                         });
+    const bool touches =
+        from.empty() || std::any_of(mesh.simplices[at(s)].begin(), mesh.simplices[at(s)].end(),
+                                    [&](Index n) { return std::binary_search(from.begin(), from.end(), n); });
     if (touches) seeds.push_back({s});
   }
   const Index surface = toIndex(mesh.surfaces.size());

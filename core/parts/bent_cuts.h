@@ -1,5 +1,5 @@
-// Cuts that make parts with bent sides simple (ARCHITECTURE.md 3, rule 3): sides without curves, closed curves, sides
-// that meet twice, sides that turn too far. Internal to parts/.
+// Cuts that make parts with bent sides simple (ARCHITECTURE.md 3, rule 3): sides without curves, closed
+// curves, sides that meet twice, sides that turn too far. Internal to parts/.
 #pragma once
 
 #include "parts/parts.h"
@@ -11,8 +11,8 @@ struct BentCutOptions {
   Index facetSurfaces; // surfaces below this number are the domain's own facets
 };
 
-/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more than
-/// 140 degrees, and cuts it. Components that gave up are passed over. Returns whether a cut was made.
+/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more
+/// than 140 degrees, and cuts it. Components that gave up are passed over. Returns whether a cut was made.
 bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                  const std::vector<bool> &gaveUp);
 

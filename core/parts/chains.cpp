@@ -22,8 +22,8 @@ std::vector<Chain> chainsOf(const Curve<3> &curve) {
     Chain chain{{links[link][0]}, false};
     while (true) {
       used[link] = true;
-      const auto back = std::lower_bound(links.begin(), links.end(),
-                                         std::array<Index, 2>{links[link][1], links[link][0]});
+      const auto back =
+          std::lower_bound(links.begin(), links.end(), std::array<Index, 2>{links[link][1], links[link][0]});
       used[static_cast<std::size_t>(back - links.begin())] = true;
       const Index here = links[link][1];
       if (here == chain.nodes.front()) {
@@ -77,7 +77,8 @@ bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
   const Vec<3> normal = glm::cross(b, c);
   const double square = glm::dot(normal, normal);
   if (!(square > 1e-4 * glm::dot(b, b) * glm::dot(c, c))) return false;
-  axis.centre = a + (glm::dot(c, c) * glm::cross(normal, b) + glm::dot(b, b) * glm::cross(c, normal)) / (2 * square);
+  axis.centre =
+      a + (glm::dot(c, c) * glm::cross(normal, b) + glm::dot(b, b) * glm::cross(c, normal)) / (2 * square);
   axis.direction = normal / std::sqrt(square);
   return true;
 }

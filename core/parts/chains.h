@@ -17,8 +17,8 @@ std::vector<Chain> chainsOf(const Curve<3> &curve);
 /// The chain's segments, the closing one included.
 std::vector<Segment<3>> segmentsOf(const Chain &chain, const std::vector<Vec<3>> &nodes);
 
-/// The line around which a chain turns: of a closed chain its centre and the direction of its vector area; of an
-/// open one those of the circle through its ends and its middle node. Nothing for a straight chain.
+/// The line around which a chain turns: of a closed chain its centre and the direction of its vector area; of
+/// an open one those of the circle through its ends and its middle node. Nothing for a straight chain.
 struct Axis {
   Vec<3> centre;
   Vec<3> direction; // unit length

@@ -31,8 +31,8 @@ template <int N> struct Ridge {
   int from, to;
 };
 
-/// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts would
-/// give more blocks than the fallback, that is cheaper and no worse.
+/// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts
+/// would give more blocks than the fallback, that is cheaper and no worse.
 template <int N> class Budget {
 public:
   explicit Budget(const ReferenceMesh<N> &mesh) : gaveUp(at(mesh.componentCount), false) {
@@ -45,7 +45,8 @@ public:
       if (now[c] > limits_[c]) gaveUp[c] = true;
   }
 
-  void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::function<double(Index)> &limit) {
+  void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                   const std::function<double(Index)> &limit) {
     std::vector<double> blocks(gaveUp.size(), 0);
     std::vector<bool> needed(gaveUp.size(), false);
     const std::vector<Index> component = componentOfParts(mesh, parts);
@@ -126,8 +127,8 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
   return found;
 }
 
-/// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then has a cut
-/// of its own.
+/// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then
+/// has a cut of its own.
 template <int N>
 std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, const Curve<N> &curve) {
   DisjointSets sets(curve.ridges.size());
@@ -155,16 +156,18 @@ std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, c
   return runs;
 }
 
-/// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one holds the
-/// whole run, else the planes of all ridges. Where it extends a facet it is the facet's own plane, so that
-/// neighbouring curves share it to the last bit.
+/// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one
+/// holds the whole run, else the planes of all ridges. Where it extends a facet it is the facet's own plane,
+/// so that neighbouring curves share it to the last bit.
 template <int N>
-Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
-                          std::size_t sector, double tolerance) {
+Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
+                          const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
   const auto planeAt = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
     const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
-    const auto facet = [&](std::size_t side) { return mesh.surfaces[at(FaceTag::surface(frame.tags[side]))].plane; };
+    const auto facet = [&](std::size_t side) {
+      return mesh.surfaces[at(FaceTag::surface(frame.tags[side]))].plane;
+    };
     if (std::abs(direction - pi) < kSamePlane) return facet(0);
     if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
     return planeThrough(mesh.nodes[at(curve.ridges[k].front())],
@@ -187,11 +190,11 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve, c
   return surface;
 }
 
-/// The plane of a facet that arrives at the ridge from behind the other two, where an assembly's regions meet, if it
-/// leaves both sectors at least 45 degrees: a cut that goes on in it needs no new direction.
+/// The plane of a facet that arrives at the ridge from behind the other two, where an assembly's regions
+/// meet, if it leaves both sectors at least 45 degrees: a cut that goes on in it needs no new direction.
 template <int N>
-std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const RidgeFrame<N> &frame,
-                                    Index facetSurfaces) {
+std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge,
+                                    const RidgeFrame<N> &frame, Index facetSurfaces) {
   std::optional<Plane<N>> found;
   const auto inspect = [&](Index s) {
     for (int i = 0; i < N + 1; ++i) {
@@ -209,7 +212,8 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
       }
       if (!holdsRidge) continue;
       const Plane<N> &plane = mesh.surfaces[at(surface)].plane;
-      double direction = std::atan2(glm::dot(plane.normal, frame.into), glm::dot(plane.normal, frame.outward));
+      double direction =
+          std::atan2(glm::dot(plane.normal, frame.into), glm::dot(plane.normal, frame.outward));
       if (direction < 0) direction += pi;
       if (direction >= pi / 4 && direction <= frame.angle - pi / 4) found = plane;
     }
@@ -222,8 +226,8 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
 
 /// Cuts along one sector plane of one run. Returns whether there was something to cut.
 template <int N>
-bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run, std::size_t sector,
-            const DecomposeOptions &options) {
+bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
+            std::size_t sector, const DecomposeOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
   if (surface.field) resolve(mesh, *surface.field, options.tolerance);
   const auto [f, g] = curve.frames[run[0]].tags;

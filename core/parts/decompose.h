@@ -11,17 +11,17 @@
 namespace dualblock {
 
 struct DecomposeOptions {
-  double tolerance;                   // nodes nearer to a cutting plane than this count as on it
-  Index facetSurfaces;                // surfaces below this number are the domain's own facets
-  std::function<double(Index)> blockLimit; // of a component: give up when its parts would give more blocks than
-                                           // this; asked for only where vertices have to be cut
+  double tolerance;                        // nodes nearer to a cutting plane than this count as on it
+  Index facetSurfaces;                     // surfaces below this number are the domain's own facets
+  std::function<double(Index)> blockLimit; // of a component: give up when its parts would give more blocks
+                                           // than this; asked for only where vertices have to be cut
 };
 
 template <int N> struct Decomposition {
   Parts<N> parts;
-  Index cuts = 0;       // split surfaces added
-  Index vertexCuts = 0; // those of rule 2, by vertices
-  Index bentCuts = 0;   // those of rule 3, by bent sides
+  Index cuts = 0;                   // split surfaces added
+  Index vertexCuts = 0;             // those of rule 2, by vertices
+  Index bentCuts = 0;               // those of rule 3, by bent sides
   std::optional<PulledMesh> pulled; // of the parts before rule 2, where that had something to do
   std::vector<bool> gaveUp; // per component: the block limit was reached, or cuts multiplied the simplices
 };

@@ -41,7 +41,8 @@ public:
         const bool ofSimplex =
             tags[i] == kNone ? isPart(s)
                              : from.surfaces[at(FaceTag::surface(tags[i]))].kind == SurfaceKind::simplexFace;
-        if (ofSimplex) tags[i] = simplex[at(s)] < neighbors[i] ? FaceTag::back(inner_) : FaceTag::front(inner_);
+        if (ofSimplex)
+          tags[i] = simplex[at(s)] < neighbors[i] ? FaceTag::back(inner_) : FaceTag::front(inner_);
       }
       mesh.simplices.push_back(v);
       mesh.neighbors.push_back(neighbors);

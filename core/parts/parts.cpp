@@ -59,11 +59,13 @@ RidgeFrame<N> frameAt(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k, 
   if constexpr (N == 2) {
     frame.into = {-frame.outward.y, frame.outward.x};
   } else {
-    frame.into = glm::cross(frame.outward, glm::normalize(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]));
+    frame.into =
+        glm::cross(frame.outward, glm::normalize(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]));
   }
   if (glm::dot(frame.into, mesh.nodes[at(s[k])] - mesh.nodes[at(ridge[0])]) < 0) frame.into = -frame.into;
   // Convex: the mate's outward normal leans away from f; reflex: it leans back over f.
-  frame.angle = std::numbers::pi - std::atan2(-glm::dot(mateOutward, frame.into), glm::dot(frame.outward, mateOutward));
+  frame.angle =
+      std::numbers::pi - std::atan2(-glm::dot(mateOutward, frame.into), glm::dot(frame.outward, mateOutward));
   return frame;
 }
 

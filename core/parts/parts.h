@@ -69,7 +69,8 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
 /// The component that each part belongs to.
 template <int N> std::vector<Index> componentOfParts(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
   std::vector<Index> component(parts.parts.size(), 0);
-  // Cuts may have added simplices since; those that were there have kept their number, in a piece of themselves.
+  // Cuts may have added simplices since; those that were there have kept their number, in a piece of
+  // themselves.
   for (std::size_t s = 0; s < parts.partOfSimplex.size(); ++s)
     component[at(parts.partOfSimplex[s])] = mesh.component[s];
   return component;

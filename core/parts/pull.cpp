@@ -3,6 +3,8 @@
 #include <limits>
 #include <map>
 
+#include "base/sort.h"
+
 namespace dualblock {
 namespace {
 
@@ -16,7 +18,8 @@ std::vector<std::vector<Index>> sidePolygons(const Parts<3> &parts) {
     std::array<Index, 2> ends{kNone, kNone};
     for (const auto &[node, n] : uses)
       if (n == 1) ends[ends[0] == kNone ? 0 : 1] = node;
-    for (const Index side : curve.sides) edges[at(side)].push_back(curve.open ? ends : std::array<Index, 2>{kNone, kNone});
+    for (const Index side : curve.sides)
+      edges[at(side)].push_back(curve.open ? ends : std::array<Index, 2>{kNone, kNone});
   }
   std::vector<std::vector<Index>> polygons(parts.sides.size());
   for (std::size_t side = 0; side < edges.size(); ++side) {
@@ -24,8 +27,8 @@ std::vector<std::vector<Index>> sidePolygons(const Parts<3> &parts) {
     std::vector<Index> cycle;
     Index here = list.empty() ? kNone : list[0][0];
     while (here != kNone && !list.empty()) {
-      const auto next = std::find_if(list.begin(), list.end(),
-                                     [&](const auto &e) { return e[0] == here || e[1] == here; });
+      const auto next =
+          std::find_if(list.begin(), list.end(), [&](const auto &e) { return e[0] == here || e[1] == here; });
       if (next == list.end()) break;
       cycle.push_back(here);
       here = (*next)[0] == here ? (*next)[1] : (*next)[0];
@@ -46,7 +49,8 @@ std::vector<bool> closureOf(const Parts<3> &parts, const std::vector<std::vector
       queue.push_back(p);
     }
   for (std::size_t head = 0; head < queue.size(); ++head)
-    for (const Index *side = parts.partSides.begin(queue[head]); side != parts.partSides.end(queue[head]); ++side) {
+    for (const Index *side = parts.partSides.begin(queue[head]); side != parts.partSides.end(queue[head]);
+         ++side) {
       const Index opposite = parts.sides[at(*side)].opposite;
       if (opposite == kNone || polygons[at(*side)].size() == 3) continue;
       const Index p = parts.sides[at(opposite)].part;
@@ -97,7 +101,8 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
       corners += polygon.size();
     }
     if (result.blocks[c] == std::numeric_limits<double>::infinity()) continue;
-    // Pulling: each side from its lowest corner, the part from its own; so neighbours divide a common side alike.
+    // Pulling: each side from its lowest corner, the part from its own; so neighbours divide a common side
+    // alike.
     tagOf.clear();
     std::vector<std::array<Index, 4>> simplices;
     for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
@@ -105,7 +110,7 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
       std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
       for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
         std::array<Index, 3> face{cycle[0], cycle[k], cycle[k + 1]};
-        std::sort(face.begin(), face.end());
+        sortItems(face);
         tagOf[face] = parts.sides[at(*side)].tag;
         if (cycle[0] != apex && std::find(cycle.begin(), cycle.end(), apex) == cycle.end())
           simplices.push_back({apex, cycle[0], cycle[k], cycle[k + 1]});
@@ -124,7 +129,7 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
         std::array<Index, 3> face;
         for (int v = 0, m = 0; v < 4; ++v)
           if (v != i) face[at(m++)] = s[at(v)];
-        std::sort(face.begin(), face.end());
+        sortItems(face);
         const auto known = tagOf.find(face);
         tags[at(i)] = known == tagOf.end() ? kNone : known->second;
       }

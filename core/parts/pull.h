@@ -1,5 +1,6 @@
-// The fallback confined (ARCHITECTURE.md 3, rule 4): convex parts that are not simple become simplices without a new
-// vertex, and so do those that a quadrilateral or larger polygon joins to them; the others stay as they are.
+// The fallback confined (ARCHITECTURE.md 3, rule 4): convex parts that are not simple become simplices
+// without a new vertex, and so do those that a quadrilateral or larger polygon joins to them; the others stay
+// as they are.
 #pragma once
 
 #include "parts/parts.h"
@@ -14,8 +15,9 @@ struct PulledMesh {
   std::vector<Index> simplified; // per component: parts that became simplices
 };
 
-/// `mesh` and `parts` after the cuts through reflex curves, which leave convex parts. A component cannot be pulled
-/// where it has bent sides, or a part with a side that is no disc or a split side without one part behind it.
+/// `mesh` and `parts` after the cuts through reflex curves, which leave convex parts. A component cannot be
+/// pulled where it has bent sides, or a part with a side that is no disc or a split side without one part
+/// behind it.
 PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts);
 
 } // namespace dualblock

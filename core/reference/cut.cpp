@@ -110,8 +110,8 @@ private:
     return {first, turnAroundRidge(mesh_, s, to, from, crossFrom, visit)};
   }
 
-  /// Around a ridge in the plane: through the part, and through the part behind where the ridge lies inside a split
-  /// surface. Where two sides meet at the ridge, the cut ends.
+  /// Around a ridge in the plane: through the part, and through the part behind where the ridge lies inside a
+  /// split surface. Where two sides meet at the ridge, the cut ends.
   void growAroundRidge(Index s, int from, int to) {
     const auto [first, second] = turn(s, from, to, kCrossNone);
     const Index tag = mesh_.tags[at(first.simplex)][first.face];
@@ -179,7 +179,8 @@ private:
 } // namespace
 
 template <int N>
-Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds, double tolerance) {
+Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds,
+               double tolerance) {
   const Surface<N> along = mesh.surfaces[at(surface)];
   Section<N> section(mesh, along, tolerance);
   for (const CutSeed<N> &seed : seeds) section.addSeed(seed);

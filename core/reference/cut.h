@@ -6,8 +6,8 @@
 
 namespace dualblock {
 
-/// Where a cut begins: at the ridge that two faces of a simplex share and that lies in the zero set, or (from < 0)
-/// in a simplex that the zero set crosses or touches in a face.
+/// Where a cut begins: at the ridge that two faces of a simplex share and that lies in the zero set, or (from
+/// < 0) in a simplex that the zero set crosses or touches in a face.
 template <int N> struct CutSeed {
   Index simplex;
   int from = -1;
@@ -15,10 +15,10 @@ template <int N> struct CutSeed {
   Index crossFrom = kCrossAll; // which surfaces are passed when turning around the seed ridge
 };
 
-/// Cuts along surfaces[surface]. Nodes nearer to it than `tolerance` count as on it. The cut crosses earlier split
-/// surfaces where it meets their inside, and ends where it arrives at a curve of a part: there both parts go on as
-/// they are, and nothing new has to match. Returns the number of inner faces newly tagged; 0 where the piece was a
-/// split surface already.
+/// Cuts along surfaces[surface]. Nodes nearer to it than `tolerance` count as on it. The cut crosses earlier
+/// split surfaces where it meets their inside, and ends where it arrives at a curve of a part: there both
+/// parts go on as they are, and nothing new has to match. Returns the number of inner faces newly tagged; 0
+/// where the piece was a split surface already.
 template <int N>
 Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds, double tolerance);
 

@@ -1,5 +1,5 @@
-// What a cut follows: a function of the place whose zero set the split surface takes (ARCHITECTURE.md 3). A plane is
-// the usual one; bent sides ask for bent cuts.
+// What a cut follows: a function of the place whose zero set the split surface takes (ARCHITECTURE.md 3). A
+// plane is the usual one; bent sides ask for bent cuts.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,8 @@ public:
   virtual double value(const Vec<N> &x) const = 0;
 };
 
-/// The planes of a chain's segments, each where its segment is the nearest: the extension of a bent side beyond a
-/// curve. It vanishes along the chain.
+/// The planes of a chain's segments, each where its segment is the nearest: the extension of a bent side
+/// beyond a curve. It vanishes along the chain.
 template <int N> class SweptField final : public CutField<N> {
 public:
   /// planes[k] holds segments[k].

@@ -36,8 +36,8 @@ template <int N> std::vector<Crossing<N>> crossings(const RawFill<N> &fill, cons
   return found;
 }
 
-/// Facets that hang together over edges (2D: vertices). Where an odd number of them meets, they enclose several
-/// regions.
+/// Facets that hang together over edges (2D: vertices). Where an odd number of them meets, they enclose
+/// several regions.
 struct Shells {
   std::vector<Index> ofFacet;
   std::vector<bool> isAssembly;
@@ -66,8 +66,9 @@ template <int N> Shells findShells(const Domain<N> &domain) {
   return shells;
 }
 
-/// Which cells belong to the domain, from the outside in: who crosses a shell from its outer side changes sides,
-/// so that shells inside shells are cavities; within an assembly, and across an interface, nothing changes.
+/// Which cells belong to the domain, from the outside in: who crosses a shell from its outer side changes
+/// sides, so that shells inside shells are cavities; within an assembly, and across an interface, nothing
+/// changes.
 template <int N>
 std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Domain<N> &domain,
                               Index cellCount) {
@@ -107,8 +108,8 @@ std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Do
   return inside;
 }
 
-/// The simplex that holds x deepest, by its barycentric coordinates; kNone where x is outside of all by more than
-/// rounding. Points given by users often lie on faces.
+/// The simplex that holds x deepest, by its barycentric coordinates; kNone where x is outside of all by more
+/// than rounding. Points given by users often lie on faces.
 template <int N> Index locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
   constexpr double kOnFace = -1e-9;
   std::vector<Vec<N>> nodes = mesh.nodes;
@@ -249,8 +250,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   const std::vector<Index> cell = floodUntagged(mesh, cellCount);
   const std::vector<Crossing<N>> contacts = crossings(fill, cell);
   std::vector<bool> inside(at(cellCount), true);
-  if (!domain.isSolid && !domain.reference)
-    inside = insideCells(contacts, domain, cellCount);
+  if (!domain.isSolid && !domain.reference) inside = insideCells(contacts, domain, cellCount);
   std::vector<Index> regionOfCell(at(cellCount), 0);
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
     const Index s = locate(mesh, domain.regions[r].point);

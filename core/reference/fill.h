@@ -8,10 +8,10 @@
 namespace dualblock {
 
 struct FillOptions {
-  double edgeLength = 0;       // > 0: refine until no edge (3D: no tetrahedron) is larger than this
-  std::uint32_t seed = 0;      // > 0: split some random edges, to try another reference mesh
-  double planarTolerance;      // relative to the size: which boundary faces of a given mesh lie on a facet
-  double featureAngle = -1;    // see PipelineOptions
+  double edgeLength = 0;    // > 0: refine until no edge (3D: no tetrahedron) is larger than this
+  std::uint32_t seed = 0;   // > 0: split some random edges, to try another reference mesh
+  double planarTolerance;   // relative to the size: which boundary faces of a given mesh lie on a facet
+  double featureAngle = -1; // see PipelineOptions
 };
 
 template <int N> struct Filled {

@@ -23,7 +23,7 @@ enum class SurfaceKind : std::uint8_t {
   reflexCut,   // through a reflex curve; source = the curve's first domain facet
   vertexCut,   // through a vertex of more than N curves; source = the node
   simplexFace, // the fallback: every inner face of the reference mesh
-  bentCut      // across bent sides, closed curves and what else is no polytope; source = a domain facet, or kNone
+  bentCut // across bent sides, closed curves and what else is no polytope; source = a domain facet, or kNone
 };
 
 template <int N> struct Surface {
@@ -97,7 +97,8 @@ template <int N> struct ReferenceMesh {
   }
 
   /// Unit normal of the tagged face i of s that points out of s: from the surface's plane, never from the
-  /// face itself, which may be a sliver; only bent cuts and the fallback's faces have no other plane than their own.
+  /// face itself, which may be a sliver; only bent cuts and the fallback's faces have no other plane than
+  /// their own.
   Vec<N> outwardNormal(Index s, int i) const {
     const Index tag = tags[at(s)][i];
     const Surface<N> &surface = surfaces[at(FaceTag::surface(tag))];

@@ -90,7 +90,8 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
   const Index before = mesh.nodeCount();
   std::vector<double> values;
   for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v) values.push_back(field.value(mesh.nodes[v]));
+    for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v)
+      values.push_back(field.value(mesh.nodes[v]));
     std::vector<WantedSplit> wanted;
     for (const auto &[a, b] : allEdges(mesh)) {
       const double va = values[at(a)];
@@ -99,7 +100,8 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
         // Crossed: where the cut would put its node, the field should vanish.
         const Vec<N> along = mesh.nodes[at(b)] - mesh.nodes[at(a)];
         const double t = va / (va - vb);
-        if (t > 0.1 && t < 0.9 && std::abs(field.value(mesh.nodes[at(a)] + t * along)) > kCrossing * glm::length(along))
+        if (t > 0.1 && t < 0.9 &&
+            std::abs(field.value(mesh.nodes[at(a)] + t * along)) > kCrossing * glm::length(along))
           wanted.push_back({a, b, t});
         continue;
       }
@@ -114,7 +116,8 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
       double furthest = -tolerance;
       double position = 0;
       for (const double t : {0.25, 0.5, 0.75}) {
-        const double value = sign * field.value(mesh.nodes[at(a)] + t * (mesh.nodes[at(b)] - mesh.nodes[at(a)]));
+        const double value =
+            sign * field.value(mesh.nodes[at(a)] + t * (mesh.nodes[at(b)] - mesh.nodes[at(a)]));
         if (value >= furthest) continue;
         furthest = value;
         position = t;

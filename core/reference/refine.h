@@ -15,8 +15,9 @@ template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t see
 /// Splits the given edges (pairs of nodes, any order) at their midpoints.
 template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges);
 
-/// Splits edges that a bent cut crosses unseen, twice, where three points between the ends show it, and those where a node
-/// put by linear interpolation would stand clearly off the cut; several times over, as new edges appear. Returns the number of nodes added.
+/// Splits edges that a bent cut crosses unseen, twice, where three points between the ends show it, and those
+/// where a node put by linear interpolation would stand clearly off the cut; several times over, as new edges
+/// appear. Returns the number of nodes added.
 template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance);
 
 extern template Index resolve(ReferenceMesh<2> &, const CutField<2> &, double);

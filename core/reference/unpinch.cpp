@@ -19,7 +19,8 @@ std::vector<std::pair<Index, Index>> pinchedEdges(const ReferenceMesh<3> &mesh) 
   sortItems(edges);
   std::vector<std::pair<Index, Index>> pinched;
   for (std::size_t e = 2; e < edges.size(); ++e)
-    if (edges[e] == edges[e - 2] && (pinched.empty() || pinched.back() != edges[e])) pinched.push_back(edges[e]);
+    if (edges[e] == edges[e - 2] && (pinched.empty() || pinched.back() != edges[e]))
+      pinched.push_back(edges[e]);
   return pinched;
 }
 

@@ -123,7 +123,8 @@ void pipelineTarget(const std::uint8_t *data, std::size_t size) {
   if (kind == 0 || domain.facets.empty()) return;
   if (result.ok() && result.value().certificate.valid) return;
   std::fprintf(stderr, "no certified mesh: %s\n",
-               result.ok() ? result.value().certificate.failures[0].message.c_str() : result.error().message.c_str());
+               result.ok() ? result.value().certificate.failures[0].message.c_str()
+                           : result.error().message.c_str());
   std::abort();
 }
 

@@ -1,5 +1,6 @@
-// What the fuzzer calls, one function per target. Each takes any bytes, must return, and must not leak: crashes, hangs
-// and sanitizer reports are the findings. The same functions replay the saved corpus in the native tests.
+// What the fuzzer calls, one function per target. Each takes any bytes, must return, and must not leak:
+// crashes, hangs and sanitizer reports are the findings. The same functions replay the saved corpus in the
+// native tests.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,8 @@ namespace dualblock::fuzz {
 void readJsonTarget(const std::uint8_t *data, std::size_t size);
 void readOffTarget(const std::uint8_t *data, std::size_t size);
 void readPolyTarget(const std::uint8_t *data, std::size_t size); // the first byte chooses .poly or .smesh
-/// Makes a small solid out of the bytes and runs every stage. Aborts where a solid that is sound by construction gets no
-/// certified mesh.
+/// Makes a small solid out of the bytes and runs every stage. Aborts where a solid that is sound by
+/// construction gets no certified mesh.
 void pipelineTarget(const std::uint8_t *data, std::size_t size);
 
 struct Target {

@@ -17,7 +17,8 @@ std::vector<Facet> boxFacets(Index first) {
 
 void addBoxVertices(Domain<3> &domain, double low, double high, double bottom, double top) {
   for (const double z : {bottom, top})
-    for (const auto &[x, y] : {std::pair(low, low), std::pair(high, low), std::pair(high, high), std::pair(low, high)})
+    for (const auto &[x, y] :
+         {std::pair(low, low), std::pair(high, low), std::pair(high, high), std::pair(low, high)})
       domain.vertices.emplace_back(x, y, z);
 }
 
@@ -77,7 +78,9 @@ TEST(Assembly, AShearedBoxOnABox) {
   domain.facets.back().loops.push_back({11, 10, 9, 8});
   for (Facet &f : boxFacets(8)) domain.facets.push_back(f);
   domain.name = "sheared";
-  const auto r = run(moved(domain, [](const Vec<3> &x) { return Vec<3>{x.x + 0.4 * x.z, x.y - 0.3 * x.z, x.z}; }));
+  const auto r = run(moved(domain, [](const Vec<3> &x) {
+    return Vec<3>{x.x + 0.4 * x.z, x.y - 0.3 * x.z, x.z};
+  }));
   EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
   EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
   EXPECT_EQ(r.primal.blocks.size(), 80U);
@@ -107,7 +110,8 @@ TEST(Assembly, ContactsAlongEdgesAndAtVerticesAreNoConnection) {
   EXPECT_TRUE(vertex.certificate.valid) << failuresOf(vertex.certificate);
   EXPECT_EQ(vertex.primal.nodeCount, 54);
   // A solid that touches itself: a checkerboard layer between two full ones.
-  const auto self = run(voxelDomain(3, [](int i, int j, int k) { return i < 2 && j < 2 && (k != 1 || i == j); }));
+  const auto self =
+      run(voxelDomain(3, [](int i, int j, int k) { return i < 2 && j < 2 && (k != 1 || i == j); }));
   EXPECT_TRUE(self.certificate.valid) << failuresOf(self.certificate);
   EXPECT_NEAR(self.certificate.meshMeasure, 10, 1e-9);
   // Two missing cubes that touch at a vertex: the boundary comes back to a vertex of the solid.

@@ -1,5 +1,5 @@
-// Curved solids given as polygons (ARCHITECTURE.md 3, rule 3): the blocks follow from the cuts alone, whatever the
-// reference mesh and the number of polygons.
+// Curved solids given as polygons (ARCHITECTURE.md 3, rule 3): the blocks follow from the cuts alone,
+// whatever the reference mesh and the number of polygons.
 #include <gtest/gtest.h>
 
 #include "support/round_solids.h"
@@ -103,8 +103,8 @@ TEST(BentSides, TheCertificateSeesANodeOffTheSurface) {
       x *= 0.95;
       break;
     }
-  const Certificate c = certify<3>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
-                                    r.dual, r.surfaces, r.primal, r.domain.deviation});
+  const Certificate c = certify<3>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts,
+                                    r.contributions, r.dual, r.surfaces, r.primal, r.domain.deviation});
   EXPECT_FALSE(c.passed[static_cast<std::size_t>(Check::features)]);
 }
 

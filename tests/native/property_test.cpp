@@ -1,5 +1,5 @@
-// Random solids of every kind: whatever they look like, the certificate holds. 540 a run; DUALBLOCK_TRIALS sets another
-// number per kind, DUALBLOCK_FIRST_SEED where to begin. A failure names kind and seed.
+// Random solids of every kind: whatever they look like, the certificate holds. 540 a run; DUALBLOCK_TRIALS
+// sets another number per kind, DUALBLOCK_FIRST_SEED where to begin. A failure names kind and seed.
 #include <cstdlib>
 #include <iostream>
 
@@ -43,11 +43,12 @@ TEST_P(Property, EverySolidGetsACertifiedMesh) {
     EXPECT_EQ(volume.size(), wanted.size());
     for (const auto &[region, v] : wanted) EXPECT_NEAR(volume[region], v, 1e-6 * r.certificate.domainMeasure);
   }
-  std::cout << randomSolid(GetParam(), first).name << ": seeds " << first << " to " << first + trials - 1 << ", "
-            << blocks << " blocks, fallback in " << fallbacks << "\n";
+  std::cout << randomSolid(GetParam(), first).name << ": seeds " << first << " to " << first + trials - 1
+            << ", " << blocks << " blocks, fallback in " << fallbacks << "\n";
 }
 
-// What confining the fallback saves: prisms on the facets of a hull stay prisms, of six blocks and not of twelve.
+// What confining the fallback saves: prisms on the facets of a hull stay prisms, of six blocks and not of
+// twelve.
 TEST(ConfinedFallback, SavesBlocks) {
   std::size_t confined = 0;
   std::size_t whole = 0;

@@ -36,7 +36,8 @@ const take = <T>(list: readonly T[], i: number): T => {
 const golden = (1 + Math.sqrt(5)) / 2;
 const pentagonArea = 2.5 * Math.sin((2 * Math.PI) / 5);
 /** Area of a regular polygon of n corners. */
-const polygonArea = (n: number, radius: number): number => (n / 2) * Math.sin((2 * Math.PI) / n) * radius ** 2;
+const polygonArea = (n: number, radius: number): number =>
+  (n / 2) * Math.sin((2 * Math.PI) / n) * radius ** 2;
 /** Volume between two regular polygons of 16 corners in parallel planes. */
 const frustum = (low: number, high: number, height: number): number =>
   (polygonArea(16, 1) * height * (low ** 2 + low * high + high ** 2)) / 3;

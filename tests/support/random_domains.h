@@ -21,7 +21,9 @@ public:
   double real(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
   }
-  int whole(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+  int whole(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
   bool chance(double p) { return real(0, 1) < p; }
 
 private:
@@ -47,7 +49,8 @@ inline Domain<3> randomHull(RandomSource &random) {
         int front = 0;
         int behind = 0;
         for (Index d = 0; d < n; ++d)
-          if (d != a && d != b && d != c) ++(glm::dot(normal, points[at(d)] - points[at(a)]) > 0 ? front : behind);
+          if (d != a && d != b && d != c)
+            ++(glm::dot(normal, points[at(d)] - points[at(a)]) > 0 ? front : behind);
         if (front > 0 && behind > 0) continue;
         if (front > 0) domain.facets.push_back({{{a, c, b}}});
         else domain.facets.push_back({{{a, b, c}}});
@@ -55,7 +58,8 @@ inline Domain<3> randomHull(RandomSource &random) {
   return domain;
 }
 
-inline std::vector<Vec<2>> randomStar(RandomSource &random, int corners, double low, double high, const Vec<2> &at) {
+inline std::vector<Vec<2>> randomStar(RandomSource &random, int corners, double low, double high,
+                                      const Vec<2> &at) {
   std::vector<Vec<2>> polygon;
   for (int k = 0; k < corners; ++k) {
     const double angle = 2 * std::numbers::pi * (k + random.real(-0.3, 0.3)) / corners;
@@ -89,21 +93,25 @@ inline Domain<3> randomExtrusion(RandomSource &random) {
   const double top = random.real(0.3, 2);
   const int holes = random.whole(0, 2);
   Domain<3> domain = prism(randomStar(random, random.whole(3, 9), holes > 0 ? 1.2 : 0.4, 2, {0, 0}), 0, top);
-  if (holes > 0 && domain.vertices.size() < 10) return domain; // triangles and squares are too narrow for holes
+  if (holes > 0 && domain.vertices.size() < 10)
+    return domain; // triangles and squares are too narrow for holes
   for (int h = 0; h < holes; ++h)
-    addHole(domain, randomStar(random, random.whole(3, 5), 0.1, 0.2, {holes == 1 ? 0.1 : 0.6 * h - 0.3, 0.05}), 0, top);
+    addHole(domain,
+            randomStar(random, random.whole(3, 5), 0.1, 0.2, {holes == 1 ? 0.1 : 0.6 * h - 0.3, 0.05}), 0,
+            top);
   domain.name = "extrusion";
   return domain;
 }
 
-/// A union of boxes: cells of a grid whose planes stand at random distances. Contacts along edges and at vertices
-/// are left in.
+/// A union of boxes: cells of a grid whose planes stand at random distances. Contacts along edges and at
+/// vertices are left in.
 inline Domain<3> randomBoxes(RandomSource &random, bool connected) {
   constexpr int kGrid = 4;
   std::set<std::array<int, 3>> cells{{1, 1, 1}};
   const std::size_t count = static_cast<std::size_t>(random.whole(2, 9));
   while (cells.size() < count) {
-    std::array<int, 3> cell{random.whole(0, kGrid - 1), random.whole(0, kGrid - 1), random.whole(0, kGrid - 1)};
+    std::array<int, 3> cell{random.whole(0, kGrid - 1), random.whole(0, kGrid - 1),
+                            random.whole(0, kGrid - 1)};
     if (connected) {
       cell = *std::next(cells.begin(), random.whole(0, toIndex(cells.size()) - 1));
       int &x = cell[at(random.whole(0, 2))];
@@ -129,7 +137,8 @@ inline Domain<3> randomAssembly(RandomSource &random) {
   std::array<std::array<std::array<int, kGrid + 2>, kGrid + 2>, kGrid + 2> label{};
   for (int i = 1; i <= kGrid; ++i)
     for (int j = 1; j <= kGrid; ++j)
-      for (int k = 1; k <= kGrid; ++k) label[at(i)][at(j)][at(k)] = random.chance(0.7) ? random.whole(1, 3) : 0;
+      for (int k = 1; k <= kGrid; ++k)
+        label[at(i)][at(j)][at(k)] = random.chance(0.7) ? random.whole(1, 3) : 0;
   label[2][2][2] = 1;
   Domain<3> domain;
   domain.name = "assembly";
@@ -174,7 +183,8 @@ inline Domain<3> randomRound(RandomSource &random) {
   const auto circle = [&](double radius, const Vec<2> &at) {
     std::vector<Vec<2>> polygon;
     for (int k = 0; k < n; ++k)
-      polygon.push_back(at + radius * Vec<2>(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n)));
+      polygon.push_back(at + radius * Vec<2>(std::cos(2 * std::numbers::pi * k / n),
+                                             std::sin(2 * std::numbers::pi * k / n)));
     return polygon;
   };
   const double top = random.real(0.3, 3);
@@ -182,12 +192,14 @@ inline Domain<3> randomRound(RandomSource &random) {
   Domain<3> domain;
   if (kind < 2) domain = prism(circle(1, {0, 0}), 0, top);
   else domain = prism({{-2, -2}, {random.real(1.5, 3), -2}, {2, random.real(1.5, 3)}, {-2, 2}}, 0, top);
-  if (kind > 0) addHole(domain, circle(random.real(0.3, 0.7), {random.real(-0.1, 0.1), random.real(-0.1, 0.1)}), 0, top);
+  if (kind > 0)
+    addHole(domain, circle(random.real(0.3, 0.7), {random.real(-0.1, 0.1), random.real(-0.1, 0.1)}), 0, top);
   domain.name = kind == 0 ? "cylinder" : kind == 1 ? "pipe" : "plate with a hole";
   return domain;
 }
 
-/// A hull with prisms of their own regions on some of its facets: parts that need no cut around one that does.
+/// A hull with prisms of their own regions on some of its facets: parts that need no cut around one that
+/// does.
 inline Domain<3> randomGem(RandomSource &random) {
   Domain<3> domain = randomHull(random);
   domain.name = "gem";
@@ -216,7 +228,8 @@ inline Domain<3> randomGem(RandomSource &random) {
 /// Kinds of random solids, for tests that go through all of them.
 inline constexpr int kRandomKinds = 7;
 
-/// The solid of a kind and a seed; every third one sheared, every other one turned, some of them tiny, huge or far away.
+/// The solid of a kind and a seed; every third one sheared, every other one turned, some of them tiny, huge
+/// or far away.
 inline Domain<3> randomSolid(int kind, std::uint32_t seed) {
   RandomSource random(1000 * static_cast<std::uint32_t>(kind) + seed);
   Domain<3> domain = kind == 0   ? randomHull(random)

@@ -11,7 +11,8 @@ namespace dualblock::test {
 inline std::vector<Vec<2>> circle(int n, double radius, const Vec<2> &at = {0, 0}) {
   std::vector<Vec<2>> polygon;
   for (int k = 0; k < n; ++k)
-    polygon.push_back(at + radius * Vec<2>(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n)));
+    polygon.push_back(
+        at + radius * Vec<2>(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n)));
   return polygon;
 }
 
@@ -28,7 +29,8 @@ inline Domain<3> revolved(const std::vector<Vec<2>> &profile, int n) {
   const Index rings = toIndex(profile.size()) - 2;
   domain.vertices.emplace_back(0, 0, profile.front().y);
   for (Index r = 1; r <= rings; ++r)
-    for (const Vec<2> &p : circle(n, profile[at(r)].x)) domain.vertices.emplace_back(p.x, p.y, profile[at(r)].y);
+    for (const Vec<2> &p : circle(n, profile[at(r)].x))
+      domain.vertices.emplace_back(p.x, p.y, profile[at(r)].y);
   domain.vertices.emplace_back(0, 0, profile.back().y);
   const Index last = toIndex(domain.vertices.size()) - 1;
   const auto vertex = [&](Index ring, Index k) { return 1 + (ring - 1) * n + k % n; };

@@ -22,7 +22,16 @@ function row(name, { reference, parts, primal, certificate, quality, timings, er
   const time = Object.values(timings).reduce((sum, ms) => sum + ms, 0);
   const verdict = certificate.valid ? (certificate.isExact ? 'valid' : 'valid, curved') : 'NOT VALID';
   if (certificate.cells === null)
-    return [name, reference.filled, '–', '–', '–', certificate.valid ? 'rules kept' : 'rules broken', '–', '–'];
+    return [
+      name,
+      reference.filled,
+      '–',
+      '–',
+      '–',
+      certificate.valid ? 'rules kept' : 'rules broken',
+      '–',
+      '–',
+    ];
   const fallback = parts.fallback ? 'yes' : parts.confinedFallback.parts > 0 ? 'confined' : 'no';
   const worst = quality.scaledJacobian.min;
   return [
@@ -37,7 +46,16 @@ function row(name, { reference, parts, primal, certificate, quality, timings, er
   ];
 }
 
-const heads = ['domain', 'reference simplices', 'parts', 'blocks', 'fallback', 'certificate', 'min. scaled Jacobian', 'ms'];
+const heads = [
+  'domain',
+  'reference simplices',
+  'parts',
+  'blocks',
+  'fallback',
+  'certificate',
+  'min. scaled Jacobian',
+  'ms',
+];
 const line = (cells) => `| ${cells.join(' | ')} |`;
 console.log(line(heads));
 console.log('|---|--:|--:|--:|---|---|--:|--:|');
