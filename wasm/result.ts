@@ -44,6 +44,7 @@ export interface RunResult {
   /** The domain after merging: facets as large as they are planar. */
   domain: Polygons & {
     givenVertex: Int32Array;
+    /** -1 for facets that were dropped: triangles with two corners at one point. */
     facetOfGiven: Int32Array;
     regions: number;
     deviation: number;

@@ -7,10 +7,12 @@ import type { RunResult } from '../../wasm/result.ts';
 import { checkArrays } from './support/check-arrays.ts';
 import {
   countsOf,
+  curved,
   digest,
   errorOf,
   exampleBytes,
   examples,
+  interfaces,
   repositoryFile,
   runExample,
   runFile,
@@ -109,19 +111,26 @@ describe.each(meshed)('$name', ({ name, title, figure, dimension }) => {
   it('fills the domain: the boundary encloses its volume, and Euler counts the holes', () => {
     const domain = JSON.parse(exampleBytes(name).toString()) as ExampleDomain;
     const at = (loop: number[]): Point[] => loop.map((i) => domain.vertices[i] ?? []);
-    const loops = (domain.loops ?? domain.facets?.flatMap((facet) => facet.loops) ?? []).map(at);
+    const outer = domain.facets?.filter((_, f) => !interfaces[name]?.includes(f));
+    const loops = (domain.loops ?? outer?.flatMap((facet) => facet.loops) ?? []).map(at);
     const faces = polygonsOf(result, result.primal.boundaryFaces, dimension === 2 ? 2 : 4);
     const sum = (numbers: number[]): number => numbers.reduce((a, b) => a + b, 0);
     const [given, meshed] =
       dimension === 2
         ? [sum(loops.map(loopArea)), sum(faces.map((edge) => loopArea([[0, 0], ...edge])))]
         : [sum(loops.map(loopVolume)), sum(faces.map(loopVolume))];
-    expect(meshed / given).toBeCloseTo(1, 9);
-    expect(result.certificate.meshMeasure / given).toBeCloseTo(1, 9);
+    if (curved.includes(name)) {
+      expect(result.certificate.isExact).toBe(false);
+      expect(Math.abs(meshed / given - 1)).toBeLessThan(0.2);
+    } else {
+      expect(result.certificate.isExact).toBe(true);
+      expect(meshed / given).toBeCloseTo(1, 9);
+      expect(result.certificate.meshMeasure / given).toBeCloseTo(1, 9);
+    }
     expect(result.certificate.domainMeasure / given).toBeCloseTo(1, 9);
 
     const { nodes, edges, faces: quads, blocks } = countsOf(result);
-    const holes = { square_ring: 1, square_ring_2d: 1, two_holes_2d: 2 }[name] ?? 0;
+    const holes = { square_ring: 1, plate_with_hole: 1, square_ring_2d: 1, two_holes_2d: 2 }[name] ?? 0;
     expect(nodes - edges + quads - (dimension === 3 ? blocks : 0)).toBe(1 - holes);
   });
 

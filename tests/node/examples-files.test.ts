@@ -3,6 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { interfaces } from './support/core.ts';
 import type { ExampleDomain, Point } from './support/example-geometry.ts';
 import {
   edgeKey,
@@ -98,9 +99,6 @@ describe('the index', () => {
     });
   });
 });
-
-/** Facets between two regions: no part of the outer boundary. */
-const interfaces: Record<string, number[]> = { box_on_box: [6] };
 
 describe.each(domains.filter((domain) => domain.dimension === 3))('$name (3D)', (domain) => {
   const inner = interfaces[domain.name] ?? [];

@@ -20,6 +20,11 @@ export const exampleBytes = (name: string): Buffer => repositoryFile(`public/exa
 interface ExampleIndex {
   examples: { name: string; title: string; figure: string; dimension: 2 | 3 }[];
 }
+/** Examples with bent sides: their straight blocks only come near the domain's volume. */
+export const curved: readonly string[] = ['cylinder', 'plate_with_hole', 'ball', 'elbow'];
+/** Facets between two regions, which are no part of the outer boundary. */
+export const interfaces: Readonly<Record<string, number[]>> = { box_on_box: [6] };
+
 export const examples = (JSON.parse(repositoryFile('public/examples/index.json').toString()) as ExampleIndex)
   .examples;
 
