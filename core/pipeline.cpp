@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/deadline.h"
 #include "contributions/given_matching.h"
 #include "contributions/repair.h"
 #include "domain/intersections.h"
@@ -32,6 +33,7 @@ public:
   }
 
   void start(const char *stage, double done) {
+    checkDeadline();
     stop();
     stage_ = stage;
     if (progress_) progress_(stage, done);
@@ -164,24 +166,20 @@ template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std:
   return blame;
 }
 
-/// Where TetGen refused the domain: looks for two facets that cross, and names them as the input does.
-template <int N> Error nameCulprits(const Error &error, const PreparedDomain<N> &prepared, double tolerance) {
+/// Where TetGen refused the domain: looks for two facets that cross. As given, for facets that overlap in one
+/// plane may have been merged.
+template <int N> Error nameCulprits(const Error &error, const Domain<N> &given, double tolerance) {
   const bool mayCross = error.code == ErrorCode::selfIntersection || error.code == ErrorCode::tetgenFailed;
   if (!mayCross) return error;
-  const auto found = findIntersection(prepared.domain, tolerance * domainSize(prepared.domain.vertices));
+  const auto found = findIntersection(given, tolerance * domainSize(given.vertices));
   if (!found) return error;
-  const auto given = [&](Index facet) {
-    const auto at = std::find(prepared.facetOfGiven.begin(), prepared.facetOfGiven.end(), facet);
-    return static_cast<std::int64_t>(at - prepared.facetOfGiven.begin());
-  };
   std::string where;
   for (int k = 0; k < N; ++k) where += (k ? ", " : "") + std::to_string(found->where[k]);
-  const std::int64_t a = given(found->facetA);
-  const std::int64_t b = given(found->facetB);
   return {ErrorCode::selfIntersection,
-          "The boundary crosses itself: facets " + std::to_string(a) + " and " + std::to_string(b) +
-              " meet at (" + where + "), where they share no edge. Make them meet only along shared edges.",
-          {{"facet", a}, {"facet", b}}};
+          "The boundary crosses itself: facets " + std::to_string(found->facetA) + " and " +
+              std::to_string(found->facetB) + " meet at (" + where +
+              "), where they share no edge. Make them meet only along shared edges.",
+          {{"facet", found->facetA}, {"facet", found->facetB}}};
 }
 
 /// The paper's rules on the contributions that the domain itself gives (figure 12).
@@ -193,11 +191,9 @@ void checkMatchingOnly(PipelineResult<2> &r) {
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
 }
 
-} // namespace
-
 template <int N>
-Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOptions &options,
-                                      const Progress &progress) {
+Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOptions &options,
+                                    const Progress &progress) {
   PipelineResult<N> r;
   StageClock clock(progress, r.timings);
   clock.start("domain", 0);
@@ -213,7 +209,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
   fillOptions.planarTolerance = options.tolerance;
   fillOptions.featureAngle = options.featureAngle;
   auto filled = fillDomain(domain, fillOptions);
-  if (!filled.ok()) return nameCulprits(filled.error(), r.domain, options.tolerance);
+  if (!filled.ok()) return nameCulprits(filled.error(), given, options.tolerance);
   r.mesh = std::move(filled.value().mesh);
   r.domain.deviation = std::max(r.domain.deviation, filled.value().deviation);
   clock.credit("tetgen", filled.value().tetgenMilliseconds);
@@ -338,6 +334,22 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
       if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
   clock.stop();
   return r;
+}
+
+} // namespace
+
+template <int N>
+Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOptions &options,
+                                      const Progress &progress) {
+  const DeadlineScope scope(options.timeLimit);
+  try {
+    return runStages(given, options, progress);
+  } catch (const OutOfTime &) {
+    return Error{ErrorCode::timeLimit,
+                 "The run took longer than the limit of " + std::to_string(options.timeLimit) +
+                     " s: raise it, refine less, or simplify the domain.",
+                 {}};
+  }
 }
 
 template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &, const Progress &);

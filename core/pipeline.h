@@ -15,6 +15,7 @@ struct PipelineOptions {
   double edgeLength = 0;    // of the reference mesh; 0: as coarse as TetGen makes it
   std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
   double tolerance = 1e-6;  // of planarity, relative to the domain's size
+  double timeLimit = 0;     // seconds for the whole run; 0: none
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 
@@ -56,8 +57,8 @@ template <int N> struct PipelineResult {
   std::vector<StageTime> timings;
 };
 
-/// Runs all stages. An Error is bad input or a failed fill; a result whose certificate is not valid is no
-/// error here, but must not be handed out as a mesh.
+/// Runs all stages. An Error is bad input, a failed fill or a time limit; a result whose certificate is not
+/// valid is no error here, but must not be handed out as a mesh.
 template <int N>
 Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
                                       const Progress &progress = {});

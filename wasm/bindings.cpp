@@ -202,7 +202,7 @@ template <typename Work> val guarded(Work work) {
   }
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle}, every one a number in its range.
+/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit}, every one a number in its range.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -222,8 +222,15 @@ Result<PipelineOptions> readOptions(const val &settings) {
       take("tolerance", Double::min(), 1 - Double::epsilon(), "a number over 0 and under 1.");
   const double featureAngle =
       take("featureAngle", -1, 180, "degrees from 0 to 180, or a number below 0 for the automatic choice.");
+  const double timeLimit = take("timeLimit", 0, Double::max(), "seconds, or 0 for no limit.");
   if (wrong) return *wrong;
-  return PipelineOptions{edgeLength, static_cast<std::uint32_t>(seed), tolerance, featureAngle};
+  PipelineOptions options;
+  options.edgeLength = edgeLength;
+  options.seed = static_cast<std::uint32_t>(seed);
+  options.tolerance = tolerance;
+  options.featureAngle = featureAngle;
+  options.timeLimit = timeLimit;
+  return options;
 }
 
 /// One domain at a time: load it, run it as often as wanted. A load that fails leaves the last domain.

@@ -23,6 +23,7 @@ export const errorCodes = [
   { name: 'referenceInvalid', meaning: 'the given reference mesh does not fill the domain' },
   { name: 'tetgenFailed', meaning: 'TetGen could not fill the domain' },
   { name: 'outOfMemory', meaning: 'not enough memory' },
+  { name: 'timeLimit', meaning: 'the run took longer than it was allowed to' },
   { name: 'contributionInvalid', meaning: 'a given contribution names no proper subset of its simplex' },
   { name: 'noValidMesh', meaning: 'no block mesh of this domain passed the certificate' },
   { name: 'badOption', meaning: 'an option has a value that it cannot have' },

@@ -8,6 +8,7 @@ declare module '*/build/dualblock.mjs' {
     tolerance: number;
     /** Below 0: automatic. */
     featureAngle: number;
+    timeLimit: number;
   }
 
   export interface RawSession {

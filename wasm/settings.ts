@@ -13,9 +13,17 @@ export interface Settings {
    * facets join.
    */
   featureAngle: number | 'auto';
+  /** Seconds that a run may take; 0 for as long as it needs. */
+  timeLimit: number;
 }
 
-export const defaultSettings: Settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 'auto' };
+export const defaultSettings: Settings = {
+  edgeLength: 0,
+  seed: 0,
+  tolerance: 1e-6,
+  featureAngle: 'auto',
+  timeLimit: 0,
+};
 
 /** File name extensions that can be loaded. */
 export const inputFormats = ['json', 'off', 'stl', 'obj', 'ply', 'poly', 'smesh'] as const;

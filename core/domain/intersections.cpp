@@ -54,27 +54,77 @@ double distanceToSegment(const Vec<2> &x, const Vec<2> &a, const Vec<2> &b) {
   return glm::length(x - (a + t * d));
 }
 
-/// A point strictly inside edge (p, q) where it passes through the inside of the facet.
-std::optional<Vec<3>> pierces(const Domain<3> &domain, Index p, Index q, const Facet &facet,
-                              const Plane<3> &plane, double tolerance) {
+/// A facet in its plane's coordinates.
+class FlatFacet {
+public:
+  FlatFacet(const Domain<3> &domain, const Facet &facet, const Plane<3> &plane) : basis_(plane.normal) {
+    for (const auto &loop : facet.loops) {
+      loops_.emplace_back();
+      for (const Index v : loop) loops_.back().push_back(basis_.project(domain.vertices[at(v)]));
+    }
+  }
+
+  Vec<2> project(const Vec<3> &x) const { return basis_.project(x); }
+
+  /// Inside, and further than the tolerance from every edge.
+  bool holds(const Vec<2> &x, double tolerance) const {
+    bool inside = false;
+    for (const auto &loop : loops_) {
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        if (distanceToSegment(x, loop[k], loop[(k + 1) % loop.size()]) <= tolerance) return false;
+      if (insidePolygon(loop, x)) inside = !inside;
+    }
+    return inside;
+  }
+
+  /// Where the segment crosses an edge, both by more than the tolerance.
+  std::optional<Vec<2>> crossing(const Vec<2> &a, const Vec<2> &b, double tolerance) const {
+    const auto side = [](const Vec<2> &p, const Vec<2> &q, const Vec<2> &x) {
+      return ((q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x)) / glm::length(q - p);
+    };
+    const auto apart = [&](double s, double t) {
+      return (s > tolerance && t < -tolerance) || (s < -tolerance && t > tolerance);
+    };
+    for (const auto &loop : loops_)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec<2> &c = loop[k];
+        const Vec<2> &d = loop[(k + 1) % loop.size()];
+        const double sa = side(c, d, a);
+        const double sb = side(c, d, b);
+        if (apart(sa, sb) && apart(side(a, b, c), side(a, b, d))) return a + sa / (sa - sb) * (b - a);
+      }
+    return std::nullopt;
+  }
+
+private:
+  PlaneBasis basis_;
+  std::vector<std::vector<Vec<2>>> loops_;
+};
+
+/// A point where edge (p, q) meets the inside of the facet: passes through it, ends on it, or lies in it
+/// across one of its edges.
+std::optional<Vec<3>> meets(const Domain<3> &domain, Index p, Index q, const Facet &facet,
+                            const Plane<3> &plane, double tolerance) {
   const Vec<3> &a = domain.vertices[at(p)];
   const Vec<3> &b = domain.vertices[at(q)];
   const double da = plane.distance(a);
   const double db = plane.distance(b);
-  if (da * db >= 0 || std::abs(da) <= tolerance || std::abs(db) <= tolerance) return std::nullopt;
-  const Vec<3> x = a + (da / (da - db)) * (b - a);
-  const PlaneBasis basis(plane.normal);
-  const Vec<2> y = basis.project(x);
-  bool inside = false;
-  for (const auto &loop : facet.loops) {
-    std::vector<Vec<2>> polygon;
-    for (const Index v : loop) polygon.push_back(basis.project(domain.vertices[at(v)]));
-    for (std::size_t k = 0; k < polygon.size(); ++k)
-      if (distanceToSegment(y, polygon[k], polygon[(k + 1) % polygon.size()]) <= tolerance)
-        return std::nullopt;
-    if (insidePolygon(polygon, y)) inside = !inside;
+  const bool onA = std::abs(da) <= tolerance;
+  const bool onB = std::abs(db) <= tolerance;
+  if (!onA && !onB && da * db > 0) return std::nullopt;
+  const FlatFacet flat(domain, facet, plane);
+  if (onA && flat.holds(flat.project(a), tolerance)) return a;
+  if (onB && flat.holds(flat.project(b), tolerance)) return b;
+  if (onA && onB) {
+    const Vec<2> u = flat.project(a);
+    const Vec<2> v = flat.project(b);
+    const auto x = flat.crossing(u, v, tolerance);
+    if (!x) return std::nullopt;
+    return a + glm::length(*x - u) / glm::length(v - u) * (b - a);
   }
-  return inside ? std::optional<Vec<3>>(x) : std::nullopt;
+  if (onA || onB) return std::nullopt;
+  const Vec<3> x = a + (da / (da - db)) * (b - a);
+  return flat.holds(flat.project(x), tolerance) ? std::optional<Vec<3>>(x) : std::nullopt;
 }
 
 } // namespace
@@ -113,16 +163,16 @@ std::optional<Intersection<3>> findIntersection(const Domain<3> &domain, double 
   std::vector<Plane<3>> planes;
   for (const Facet &facet : domain.facets) planes.push_back(facetPlane<3>(domain.vertices, facet));
   std::optional<Intersection<3>> found;
-  const auto edgesPierce = [&](Index f, Index g) {
+  const auto edgesMeet = [&](Index f, Index g) {
     for (const auto &loop : domain.facets[at(f)].loops)
       for (std::size_t k = 0; k < loop.size() && !found; ++k)
-        if (const auto x = pierces(domain, loop[k], loop[(k + 1) % loop.size()], domain.facets[at(g)],
-                                   planes[at(g)], tolerance))
+        if (const auto x = meets(domain, loop[k], loop[(k + 1) % loop.size()], domain.facets[at(g)],
+                                 planes[at(g)], tolerance))
           found = {std::min(f, g), std::max(f, g), *x};
   };
   sweep(domain, tolerance, [&](Index f, Index g) {
-    edgesPierce(f, g);
-    if (!found) edgesPierce(g, f);
+    edgesMeet(f, g);
+    if (!found) edgesMeet(g, f);
     return found.has_value();
   });
   return found;

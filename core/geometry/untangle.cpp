@@ -1,5 +1,6 @@
 #include "geometry/untangle.h"
 
+#include "base/deadline.h"
 #include "base/sort.h"
 #include "geometry/jacobian.h"
 #include "geometry/linear_programme.h"
@@ -113,6 +114,7 @@ public:
       std::vector<Index> touched = bad;
       for (const Index b : bad)
         for (const Index node : primal_.blocks[at(b)].nodes) { // from the centre, node 0, outwards
+          checkDeadline();
           if (isGood(b)) break;
           if (!move(node)) continue;
           ++moves;

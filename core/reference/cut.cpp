@@ -1,5 +1,6 @@
 #include "reference/cut.h"
 
+#include "base/deadline.h"
 #include "base/sort.h"
 #include <cmath>
 #include <limits>
@@ -181,6 +182,7 @@ private:
 template <int N>
 Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds,
                double tolerance) {
+  checkDeadline();
   const Surface<N> along = mesh.surfaces[at(surface)];
   Section<N> section(mesh, along, tolerance);
   for (const CutSeed<N> &seed : seeds) section.addSeed(seed);

@@ -1,5 +1,6 @@
 #include "reference/refine.h"
 
+#include "base/deadline.h"
 #include "base/sort.h"
 #include <cmath>
 #include <random>
@@ -90,6 +91,7 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
   const Index before = mesh.nodeCount();
   std::vector<double> values;
   for (int round = 0; round < kRounds; ++round) {
+    checkDeadline();
     for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v)
       values.push_back(field.value(mesh.nodes[v]));
     std::vector<WantedSplit> wanted;

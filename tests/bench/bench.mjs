@@ -35,7 +35,7 @@ async function measureWasm(name, edge) {
   const module = await createDualblock({ wasmBinary, print: () => {} });
   const session = new module.Session();
   session.load('off', native(name, edge, 'off'));
-  const r = session.run({ edgeLength: edge, seed: 0, tolerance: 1e-6 }, null);
+  const r = session.run({ edgeLength: edge, seed: 0, tolerance: 1e-6, featureAngle: -1, timeLimit: 0 }, null);
   if (!r.ok) throw new Error(r.error.message);
   const peak = module.HEAPU8.length / 2 ** 20;
   return { filled: r.reference.filled, valid: r.certificate.valid, timings: r.timings, peak };

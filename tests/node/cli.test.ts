@@ -95,7 +95,13 @@ describe('a certified mesh', () => {
     const { status, stdout } = dualblock('--example', 'tapered_brick', ...words);
     expect(status).toBe(0);
     const report = JSON.parse(stdout) as Report;
-    expect(report.settings).toEqual({ edgeLength: 0.9, seed: 5, featureAngle: 'auto', tolerance: 1e-7 });
+    expect(report.settings).toEqual({
+      edgeLength: 0.9,
+      seed: 5,
+      featureAngle: 'auto',
+      timeLimit: 0,
+      tolerance: 1e-7,
+    });
     expect(report.reference.refinement).toBe(0.9);
     expect(report.primal.blocks).toBe(8);
   });

@@ -249,7 +249,7 @@ describe('determinism', () => {
 describe('reports', () => {
   it('have what the contract says', () => {
     const result = runExample(core, 'square_ring');
-    const settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 'auto' as const };
+    const settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 'auto' as const, timeLimit: 0 };
     const report = makeReport(result, settings, core.memory().peak);
     expect(report).toMatchObject({
       format: 'dualblock-report/1',

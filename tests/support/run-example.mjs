@@ -11,7 +11,7 @@ export const examples = JSON.parse(read('public/examples/index.json')).examples;
 export async function exampleRunner() {
   const core = await createDualblock({ wasmBinary: read('wasm/build/dualblock.wasm'), print: () => {} });
   const session = new core.Session();
-  const settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: -1 };
+  const settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: -1, timeLimit: 0 };
   const expect = (answer) => {
     if (!answer.ok) throw new Error(answer.error.message);
     return answer;

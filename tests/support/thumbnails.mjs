@@ -34,10 +34,24 @@ function fit(points) {
 const path = (points, close = true) => `M${points.map((p) => p.join(' ')).join('L')}${close ? 'z' : ''}`;
 const face = (points, shade) => `<path d="${path(points)}" fill-opacity="${shade}"/>`;
 
+/** The face itself, or two triangles where it is not flat. */
+function planar(quad) {
+  const [a, b, c, d] = quad;
+  const minus = (p, q) => p.map((x, k) => x - q[k]);
+  const height = dot(normalOf([a, b, c]), minus(d, a));
+  return Math.abs(height) < 1e-9
+    ? [quad]
+    : [
+        [a, b, c],
+        [a, c, d],
+      ];
+}
+
 function solid({ primal }) {
   const nodes = rowsOf(primal.positions, 3);
   const pieces = rowsOf(primal.boundaryFaces, 4)
     .map((quad) => quad.map((v) => nodes[v]))
+    .flatMap(planar)
     .map((points) => ({ points, normal: normalOf(points), drawn: points.map(() => true) }))
     .filter(({ normal }) => dot(normal, eye) > 1e-6);
   const flat = (p) => [dot(p, right), dot(p, up)];

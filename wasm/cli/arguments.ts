@@ -11,6 +11,7 @@ export interface GivenSettings {
   /** Relative to the domain's size, over 0 and under 1. */
   tolerance?: number;
   featureAngle?: number | 'auto';
+  timeLimit?: number;
 }
 
 export type Source = { kind: 'file'; path: string } | { kind: 'example'; name: string };
@@ -188,6 +189,7 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
   const reference = first('reference');
   const seed = first('seed');
   const tolerance = first('tolerance');
+  const timeLimit = first('time-limit');
   const featureAngle = first('feature-angle');
   if (reference !== undefined) {
     settings.reference =
@@ -204,6 +206,8 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
     settings.tolerance = between('tolerance', tolerance, 1, kToleranceHint);
   }
   if (featureAngle !== undefined) settings.featureAngle = angleOf(featureAngle);
+  if (timeLimit !== undefined)
+    settings.timeLimit = between('time-limit', timeLimit, Infinity, 'seconds over 0');
   return settings;
 }
 

@@ -28,6 +28,7 @@ export const options = {
     value: 'DEG',
     help: 'facets that meet at less are one bent side, 0 to 180; auto: 35, if six join',
   },
+  'time-limit': { value: 'S', help: 'give up after S seconds; without it a run takes as long as it needs' },
   help: { help: 'print this text' },
   version: { help: 'print the version' },
 } as const satisfies Record<string, Option>;
