@@ -8,7 +8,7 @@
 namespace dualblock {
 namespace {
 
-constexpr int kRounds = 12;
+constexpr int kRounds = 6;
 
 template <int N> double smallest(const Block<N> &block, const std::vector<Vec<N>> &positions) {
   const auto coefficients = jacobianCoefficients<N>(cornersOf<N>(block.nodes, positions));

@@ -25,6 +25,7 @@ constexpr double kLargestAngle = 170 * pi / 180;
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 constexpr int kBentRounds = 80;
+constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help come early
 
 template <int N> struct Ridge {
   Index simplex;
@@ -39,10 +40,11 @@ public:
     for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
   }
 
-  void update(const ReferenceMesh<N> &mesh) {
+  /// `share`: of the whole budget that may be spent so far.
+  void update(const ReferenceMesh<N> &mesh, double share = 1) {
     const std::vector<Index> now = sizes(mesh);
     for (std::size_t c = 0; c < now.size(); ++c)
-      if (now[c] > limits_[c]) gaveUp[c] = true;
+      if (now[c] > share * limits_[c]) gaveUp[c] = true;
   }
 
   void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
@@ -427,7 +429,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
       if (!cutBentPart(mesh, result.parts, {options.tolerance, options.facetSurfaces}, budget.gaveUp)) break;
       ++result.bentCuts;
       result.parts = buildParts(mesh, partOptions);
-      budget.update(mesh);
+      budget.update(mesh, kBentShare);
     }
     const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                     [](const Corner &c) { return c.sides.size() > 3; });

@@ -85,9 +85,41 @@ template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<I
   splitInOrder(mesh, wanted);
 }
 
+namespace {
+
+/// Where an edge has to be split before it is cut along a field, from a to b; 0 for nowhere.
+template <int N>
+double splitPosition(const ReferenceMesh<N> &mesh, const CutField<N> &field, Index a, Index b, double va,
+                     double vb, double tolerance) {
+  constexpr double kCrossing = 0.05; // of the edge's length: how far a crossing may be off
+  constexpr double kChord = 1e-3;    // likewise: how far the middle of a chord may be off
+  const Vec<N> from = mesh.nodes[at(a)];
+  const Vec<N> along = mesh.nodes[at(b)] - from;
+  if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) {
+    // Crossed: where the cut would put its node, the field should vanish.
+    const double t = va / (va - vb);
+    const bool isOff = std::abs(field.value(from + t * along)) > kCrossing * glm::length(along);
+    return t > 0.1 && t < 0.9 && isOff ? t : 0;
+  }
+  if (std::max(std::abs(va), std::abs(vb)) <= tolerance) // a chord from the cut to the cut
+    return std::abs(field.value(from + 0.5 * along)) > kChord * glm::length(along) ? 0.5 : 0;
+  // The point between the ends that lies furthest on their other side.
+  const double sign = va + vb > 0 ? 1 : -1;
+  double furthest = -tolerance;
+  double position = 0;
+  for (const double t : {0.25, 0.5, 0.75}) {
+    const double value = sign * field.value(from + t * along);
+    if (value >= furthest) continue;
+    furthest = value;
+    position = t;
+  }
+  return position;
+}
+
+} // namespace
+
 template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance) {
   constexpr int kRounds = 3;
-  constexpr double kCrossing = 0.05; // of the edge's length: how far a crossing may be off
   const Index before = mesh.nodeCount();
   std::vector<double> values;
   for (int round = 0; round < kRounds; ++round) {
@@ -95,37 +127,21 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
     for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v)
       values.push_back(field.value(mesh.nodes[v]));
     std::vector<WantedSplit> wanted;
-    for (const auto &[a, b] : allEdges(mesh)) {
-      const double va = values[at(a)];
-      const double vb = values[at(b)];
-      if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) {
-        // Crossed: where the cut would put its node, the field should vanish.
-        const Vec<N> along = mesh.nodes[at(b)] - mesh.nodes[at(a)];
-        const double t = va / (va - vb);
-        if (t > 0.1 && t < 0.9 &&
-            std::abs(field.value(mesh.nodes[at(a)] + t * along)) > kCrossing * glm::length(along))
-          wanted.push_back({a, b, t});
-        continue;
-      }
-      if (std::max(std::abs(va), std::abs(vb)) <= tolerance) { // a chord from the cut to the cut
-        const Vec<N> middle = (mesh.nodes[at(a)] + mesh.nodes[at(b)]) / 2.0;
-        if (std::abs(field.value(middle)) > 1e-3 * glm::length(mesh.nodes[at(b)] - mesh.nodes[at(a)]))
-          wanted.push_back({a, b, 0.5});
-        continue;
-      }
-      // The point between the ends that lies furthest on their other side.
-      const double sign = va + vb > 0 ? 1 : -1;
-      double furthest = -tolerance;
-      double position = 0;
-      for (const double t : {0.25, 0.5, 0.75}) {
-        const double value =
-            sign * field.value(mesh.nodes[at(a)] + t * (mesh.nodes[at(b)] - mesh.nodes[at(a)]));
-        if (value >= furthest) continue;
-        furthest = value;
-        position = t;
-      }
-      if (position > 0) wanted.push_back({a, b, position});
-    }
+    // A field of distances changes by two lengths over one at most: edges further away than that are not
+    // crossed.
+    std::vector<std::pair<Index, Index>> near;
+    for (const auto &v : mesh.simplices)
+      for (int i = 0; i < N + 1; ++i)
+        for (int k = i + 1; k < N + 1; ++k) {
+          const double least = std::min(std::abs(values[at(v[i])]), std::abs(values[at(v[k])]));
+          const Vec<N> along = mesh.nodes[at(v[k])] - mesh.nodes[at(v[i])];
+          if (least * least <= 4 * glm::dot(along, along)) near.emplace_back(std::minmax(v[i], v[k]));
+        }
+    sortItems(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const auto &[a, b] : near)
+      if (const double t = splitPosition(mesh, field, a, b, values[at(a)], values[at(b)], tolerance); t > 0)
+        wanted.push_back({a, b, t});
     if (wanted.empty()) break;
     splitInOrder(mesh, wanted);
   }

@@ -28,6 +28,11 @@ describe('parseArguments', () => {
     ['-- -odd.json', { ...plain, source: { kind: 'file', path: '-odd.json' } }],
     ['a.json --reference coarse', { ...plain, source: file, settings: { reference: 'coarse' } }],
     [
+      'a.json --feature-angle 0 --time-limit 2.5',
+      { ...plain, source: file, settings: { featureAngle: 0, timeLimit: 2.5 } },
+    ],
+    ['a.json --feature-angle auto', { ...plain, source: file, settings: { featureAngle: 'auto' } }],
+    [
       'a.json --reference .5 --seed 4294967295 --tolerance 1e-8',
       {
         ...plain,
@@ -83,6 +88,9 @@ describe('parseArguments', () => {
     ['a.json --reference 1e999', /--reference cannot be/, /over 0/],
     ['a.json --reference 0x10', /--reference cannot be/, /over 0/],
     ['a.json --tolerance 1', /--tolerance cannot be/, /under 1/],
+    ['a.json --feature-angle 181', /--feature-angle cannot be/, /180/],
+    ['a.json --feature-angle round', /--feature-angle cannot be/, /auto/],
+    ['a.json --time-limit 0', /--time-limit cannot be/, /over 0/],
     ['a.json --tolerance nan', /--tolerance cannot be/, /number/],
     ['--check', /no mesh/, /name a .vtk/],
     ['--check -', /standard input/, /name a file/],

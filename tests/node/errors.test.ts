@@ -68,6 +68,9 @@ const badSettings: [Record<string, unknown>, string][] = [
   [{ tolerance: 0 }, 'tolerance'],
   [{ tolerance: 1 }, 'tolerance'],
   [{ tolerance: null }, 'tolerance'],
+  [{ featureAngle: 181 }, 'featureAngle'],
+  [{ featureAngle: 'sharp' }, 'featureAngle'],
+  [{ timeLimit: -1 }, 'timeLimit'],
   [{ seed: -1 }, 'seed'],
   [{ seed: 2 ** 32 }, 'seed'],
 ];
@@ -89,6 +92,15 @@ describe('calls', () => {
     expect(digest(core.run())).toEqual(before);
   });
 
+  it('a run that takes longer than it may', () => {
+    core.load('square_ring.json', exampleBytes('square_ring'));
+    const before = digest(core.run());
+    const error = errorOf(() => core.run({ edgeLength: 0.1, timeLimit: 0.01 }));
+    expect(error.code).toBe('timeLimit');
+    expect(error.message).toMatch(/limit of 0\.01/);
+    expect(digest(core.run())).toEqual(before);
+  });
+
   it('writing to an unknown extension', () => {
     const error = errorOf(() => meshWriter('mesh.stp'));
     expect(error.code).toBe('formatUnknown');
@@ -104,6 +116,7 @@ it('every code is met here, or JavaScript cannot meet it', () => {
     'nothingLoaded', // above
     'tetgenFailed', // no input is known
     'outOfMemory', // needs gigabytes
+    'timeLimit', // above
     'noValidMesh', // a certificate that is not valid says so instead
     'internal', // a defect
   ];
