@@ -32,10 +32,6 @@ template <int N> struct Decomposition {
 template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options);
 
-/// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
-/// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; ARCHITECTURE.md 3, rule 1).
-std::vector<double> sectorPlanes(CurveKind kind, double angle);
-
 extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
 extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);
 

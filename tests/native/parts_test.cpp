@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "parts/reflex_cuts.h"
 #include "support/examples.h"
 
 namespace dualblock::test {

@@ -1,0 +1,197 @@
+#include "parts/reflex_cuts.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/disjoint_sets.h"
+#include "base/sort.h"
+#include "parts/ridge.h"
+#include "reference/cut.h"
+#include "reference/patches.h"
+#include "reference/refine.h"
+
+namespace dualblock {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
+constexpr double kLargestAngle = 170 * pi / 180;
+
+/// Whether the plane already is a split surface at this ridge.
+template <int N>
+bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane,
+                  Index facetSurfaces, double tolerance) {
+  bool found = false;
+  const auto inspect = [&](Index s) {
+    for (int i = 0; i < N + 1; ++i) {
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag == kNone || FaceTag::surface(tag) < facetSurfaces) continue;
+      bool inPlane = true; // a face in the plane that holds the ridge
+      for (int v = 0; v < N + 1; ++v)
+        if (v != i)
+          inPlane &= std::abs(plane.distance(mesh.nodes[at(mesh.simplices[at(s)][v])])) <= tolerance;
+      for (int v = 0; v < N + 1; ++v) {
+        if (v == ridge.from || v == ridge.to) continue;
+        const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
+        inPlane &= here >= 0 && here != i;
+      }
+      found |= inPlane;
+    }
+  };
+  turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, facetSurfaces, inspect);
+  return found;
+}
+
+/// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then
+/// has a cut of its own.
+template <int N>
+std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, const Curve<N> &curve) {
+  DisjointSets sets(curve.ridges.size());
+  if constexpr (N == 3) {
+    std::vector<std::pair<Index, std::size_t>> ends; // node, ridge
+    for (std::size_t k = 0; k < curve.ridges.size(); ++k)
+      for (const Index node : curve.ridges[k]) ends.emplace_back(node, k);
+    sortItems(ends);
+    const double leastCosine = std::cos(kSmoothAngle * pi / 180);
+    for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
+      if (ends[e].first != ends[e + 1].first) continue;
+      const auto away = [&](std::size_t k) {
+        const auto &r = curve.ridges[k];
+        const Index other = r[0] == ends[e].first ? r[1] : r[0];
+        return glm::normalize(mesh.nodes[at(other)] - mesh.nodes[at(ends[e].first)]);
+      };
+      if (-glm::dot(away(ends[e].second), away(ends[e + 1].second)) > leastCosine)
+        sets.unite(toIndex(ends[e].second), toIndex(ends[e + 1].second));
+    }
+  }
+  Index count = 0;
+  const std::vector<Index> number = sets.numbering(count);
+  std::vector<std::vector<std::size_t>> runs(at(count));
+  for (std::size_t k = 0; k < number.size(); ++k) runs[at(number[k])].push_back(k);
+  return runs;
+}
+
+/// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one
+/// holds the whole run, else the planes of all ridges. Where it extends a facet it is the facet's own plane,
+/// so that neighbouring curves share it to the last bit.
+template <int N>
+Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
+                          const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
+  const auto planeAt = [&](std::size_t k) {
+    const RidgeFrame<N> &frame = curve.frames[k];
+    const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
+    const auto facet = [&](std::size_t side) {
+      return mesh.surfaces[at(FaceTag::surface(frame.tags[side]))].plane;
+    };
+    if (std::abs(direction - pi) < kSamePlane) return facet(0);
+    if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
+    return planeThrough(mesh.nodes[at(curve.ridges[k].front())],
+                        std::sin(direction) * frame.into + std::cos(direction) * frame.outward);
+  };
+  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[run[0]].tags[0]), planeAt(run[0])};
+  if constexpr (N == 3) {
+    for (const std::size_t k : run)
+      for (const Index node : curve.ridges[k])
+        surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
+    if (!surface.bent) return surface;
+    std::vector<Segment<N>> segments;
+    std::vector<Plane<N>> planes;
+    for (const std::size_t k : run) {
+      segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
+      planes.push_back(planeAt(k));
+    }
+    surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
+  }
+  return surface;
+}
+
+/// The plane of a facet that arrives at the ridge from behind the other two, where an assembly's regions
+/// meet, if it leaves both sectors at least 45 degrees: a cut that goes on in it needs no new direction.
+template <int N>
+std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge,
+                                    const RidgeFrame<N> &frame, Index facetSurfaces) {
+  std::optional<Plane<N>> found;
+  const auto inspect = [&](Index s) {
+    for (int i = 0; i < N + 1; ++i) {
+      const Index tag = mesh.tags[at(s)][i];
+      if (tag == kNone || found) continue;
+      const Index surface = FaceTag::surface(tag);
+      if (surface >= facetSurfaces || surface == FaceTag::surface(frame.tags[0]) ||
+          surface == FaceTag::surface(frame.tags[1]))
+        continue;
+      bool holdsRidge = true;
+      for (int v = 0; v < N + 1; ++v) {
+        if (v == ridge.from || v == ridge.to) continue;
+        const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
+        holdsRidge &= here >= 0 && here != i;
+      }
+      if (!holdsRidge) continue;
+      const Plane<N> &plane = mesh.surfaces[at(surface)].plane;
+      double direction =
+          std::atan2(glm::dot(plane.normal, frame.into), glm::dot(plane.normal, frame.outward));
+      if (direction < 0) direction += pi;
+      if (direction >= pi / 4 && direction <= frame.angle - pi / 4) found = plane;
+    }
+  };
+  const FaceRef<N> stop = turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, kCrossAll, inspect);
+  if (mesh.neighbors[at(stop.simplex)][stop.face] == kNone)
+    turnAroundRidge(mesh, ridge.simplex, ridge.to, ridge.from, kCrossAll, inspect);
+  return found;
+}
+
+/// Cuts along one sector plane of one run. Returns whether there was something to cut.
+template <int N>
+bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
+            std::size_t sector, const ReflexCutOptions &options) {
+  Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
+  if (surface.field) resolve(mesh, *surface.field, options.tolerance);
+  const auto [f, g] = curve.frames[run[0]].tags;
+  const auto &first = curve.ridges[run[0]];
+  const auto ridge = findRidge(mesh, first.front(), first.back(), f, g, options.facetSurfaces);
+  if (!ridge) return false;
+  if (!surface.field && curveKind(curve.angle) == CurveKind::side)
+    if (const auto beyond = facetBeyond(mesh, *ridge, curve.frames[run[0]], options.facetSurfaces))
+      surface.plane = *beyond;
+  if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
+    return false;
+  const Index number = toIndex(mesh.surfaces.size());
+  mesh.surfaces.push_back(std::move(surface));
+  const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
+  if (cutAlong<N>(mesh, number, {seed}, options.tolerance) > 0) return true;
+  mesh.surfaces.pop_back();
+  return false;
+}
+
+} // namespace
+
+bool wantsCut(double angle) { return angle > kLargestAngle; }
+
+std::vector<double> sectorPlanes(CurveKind kind, double angle) {
+  switch (kind) {
+  case CurveKind::end: return {};
+  case CurveKind::side: return {angle / 2};
+  case CurveKind::corner: // the planes of both facets: sectors of angle - 180, 360 - angle and angle - 180
+                          // degrees
+    return {pi, angle - pi};
+  case CurveKind::reversal: // two whole planes: the bisector, and one across it that runs on beyond the curve
+    return {angle / 2, (angle - pi) / 2};
+  }
+  return {};
+}
+
+template <int N>
+Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const ReflexCutOptions &options) {
+  Index cuts = 0;
+  const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
+  for (const auto &run : smoothRuns(mesh, curve))
+    for (std::size_t sector = 0; sector < sectors; ++sector)
+      if (cutRun(mesh, curve, run, sector, options)) ++cuts;
+  return cuts;
+}
+
+template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, const ReflexCutOptions &);
+template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, const ReflexCutOptions &);
+
+} // namespace dualblock
