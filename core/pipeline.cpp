@@ -104,8 +104,9 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
 /// The source of each component's parts: the one that gives fewest blocks, cuts before others. `limits`:
 /// blocks of the reference simplices, empty where cuts serve all that they should.
 template <int N>
-std::vector<PartSource> chooseSources(const PipelineResult<N> &r, const Decomposition<N> &decomposition,
-                                      const std::vector<double> &limits, std::string &reason) {
+std::vector<PartSource> chooseSources(PipelineResult<N> &r, const Decomposition<N> &decomposition,
+                                      const std::vector<double> &limits) {
+  std::string &reason = r.fallbackReason;
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
   std::vector<double> cuts(at(r.mesh.componentCount), 0);
@@ -123,6 +124,12 @@ std::vector<PartSource> chooseSources(const PipelineResult<N> &r, const Decompos
     }
     const double pulled = decomposition.pulled ? decomposition.pulled->blocks[c] : kNever;
     const double simplices = limits.empty() ? kNever : limits[c];
+    const auto count = [&](std::size_t k, double blocks) {
+      r.alternatives[k] = std::max(r.alternatives[k], 0.0) + blocks;
+    };
+    count(0, cuts[c]);
+    if (decomposition.pulled) count(1, pulled);
+    if (!limits.empty()) count(2, simplices);
     if (cuts[c] < kNever && cuts[c] <= std::min(pulled, simplices)) continue;
     source[c] = pulled < kNever && pulled <= simplices ? PartSource::pulled : PartSource::simplices;
     if (reason.empty()) reason = "the cut parts would give more blocks than simplices";
@@ -277,7 +284,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     limitOf(0);
   if (std::any_of(r.parts.parts.begin(), r.parts.parts.end(), [](const PartInfo &p) { return !p.simple; }))
     limitOf(0);
-  std::vector<PartSource> source = chooseSources(r, decomposition, limits, r.fallbackReason);
+  std::vector<PartSource> source = chooseSources(r, decomposition, limits);
   const auto count = [&](PartSource wanted) {
     return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
   };

@@ -46,6 +46,9 @@ template <int N> struct PipelineResult {
   Index pulledComponents = 0;   // components where only parts that are not simple became simplices
   Index pulledParts = 0;        // those parts
   std::string fallbackReason;
+  /// Blocks that cuts alone, the confined fallback and the reference simplices would give, as far as they
+  /// were counted to choose between them: infinity where they give no valid mesh, below 0 where nobody asked.
+  std::array<double, 3> alternatives{-1, -1, -1};
   Parts<N> parts;
   Contributions<N> contributions;
   DualCells<N> dual;

@@ -95,6 +95,7 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   p.set("count", static_cast<double>(r.parts.parts.size()));
   p.set("fallbackComponents", r.fallbackComponents);
   p.set("fallbackReason", r.fallbackReason);
+  p.set("alternatives", toJs<double>(std::vector<double>(r.alternatives.begin(), r.alternatives.end())));
   p.set("pulledComponents", r.pulledComponents);
   p.set("pulledParts", r.pulledParts);
   p.set("region", column<Index>(r.parts.parts, [](const PartInfo &i) { return i.region; }));

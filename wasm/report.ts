@@ -51,6 +51,11 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       fallback: parts.fallbackComponents > 0,
       fallbackComponents: parts.fallbackComponents,
       fallbackReason: parts.fallbackReason,
+      alternatives: {
+        cuts: alternative(parts.alternatives[0]),
+        confined: alternative(parts.alternatives[1]),
+        simplices: alternative(parts.alternatives[2]),
+      },
       confinedFallback: { components: parts.pulledComponents, parts: parts.pulledParts },
     },
     contributions: { hard: contributions.hardCount, soft: contributions.softCount },
@@ -69,6 +74,12 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
   };
 }
 export type Report = ReturnType<typeof makeReport>;
+
+/** Blocks that a choice of parts would give; why there is no number, where there is none. */
+function alternative(blocks: number | undefined): number | 'not valid' | 'not counted' {
+  if (blocks === undefined || blocks < 0) return 'not counted';
+  return Number.isFinite(blocks) ? blocks : 'not valid';
+}
 
 /** The report of a run that an error ended: what was asked, and the error. */
 export function makeErrorReport(name: string, settings: Settings, error: CoreError) {

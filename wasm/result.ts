@@ -92,6 +92,11 @@ export interface RunResult {
     fallbackComponents: number;
     /** Why simplices became parts, in all or in some parts; empty where none did. */
     fallbackReason: string;
+    /**
+     * Blocks that cuts alone, the confined fallback and all reference simplices would give, as far as they were counted:
+     * infinity where they give no valid mesh, below 0 where nobody asked.
+     */
+    alternatives: Float64Array;
     /** Components where only the parts that cuts left over became simplices, and how many parts those were. */
     pulledComponents: number;
     pulledParts: number;

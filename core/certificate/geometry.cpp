@@ -10,10 +10,31 @@
 namespace dualblock {
 namespace {
 
+/// Up to 27 numbers: a block's determinant has no more coefficients, and there are many blocks.
+class Coefficients {
+public:
+  void assign(std::size_t count, double value) {
+    size_ = count;
+    std::fill(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(count), value);
+  }
+  double &operator[](std::size_t k) { return items_[k]; }
+  double operator[](std::size_t k) const { return items_[k]; }
+  double *begin() { return items_.data(); }
+  double *end() { return items_.data() + size_; }
+  const double *begin() const { return items_.data(); }
+  const double *end() const { return items_.data() + size_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+private:
+  std::array<double, 27> items_;
+  std::size_t size_ = 0;
+};
+
 /// A polynomial in Bernstein form with the given degree per axis (0 beyond N).
 struct Bernstein {
   std::array<int, 3> degree{};
-  std::vector<double> c; // first axis fastest
+  Coefficients c; // first axis fastest
 
   std::size_t index(int i, int j, int k) const {
     const int place = i + (degree[0] + 1) * (j + (degree[1] + 1) * k);
@@ -22,10 +43,11 @@ struct Bernstein {
   std::size_t size() const { return index(degree[0], degree[1], degree[2]) + 1; }
 };
 
-double binomial(int n, int k) {
-  double value = 1;
-  for (int i = 0; i < k; ++i) value = value * (n - i) / (i + 1);
-  return value;
+/// C(a, i) C(b, p) / C(a + b, i + p), the weight of a product of coefficients along one axis, for a + b up
+/// to 2.
+double productWeight(int a, int i, int b, int p) {
+  constexpr double kBinomial[3][3] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 1}};
+  return kBinomial[a][i] * kBinomial[b][p] / kBinomial[a + b][i + p];
 }
 
 template <typename Visit> void forIndices(const std::array<int, 3> &degree, Visit visit) {
@@ -40,9 +62,9 @@ Bernstein multiply(const Bernstein &a, const Bernstein &b) {
   r.c.assign(r.size(), 0);
   forIndices(a.degree, [&](int i, int j, int k) {
     forIndices(b.degree, [&](int p, int q, int s) {
-      double w = binomial(a.degree[0], i) * binomial(b.degree[0], p) / binomial(r.degree[0], i + p);
-      w *= binomial(a.degree[1], j) * binomial(b.degree[1], q) / binomial(r.degree[1], j + q);
-      w *= binomial(a.degree[2], k) * binomial(b.degree[2], s) / binomial(r.degree[2], k + s);
+      const double w = productWeight(a.degree[0], i, b.degree[0], p) *
+                       productWeight(a.degree[1], j, b.degree[1], q) *
+                       productWeight(a.degree[2], k, b.degree[2], s);
       r.c[r.index(i + p, j + q, k + s)] += w * a.c[a.index(i, j, k)] * b.c[b.index(p, q, s)];
     });
   });
@@ -85,10 +107,14 @@ template <int N> Bernstein determinant(const std::array<Vec<N>, 1 << N> &corners
     addTo(sum, multiply(d[0][0], d[1][1]), 1);
     addTo(sum, multiply(d[0][1], d[1][0]), -1);
   } else {
-    static constexpr std::size_t kEven[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
-    static constexpr std::size_t kOdd[3][3] = {{0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-    for (const auto &p : kEven) addTo(sum, multiply(multiply(d[0][p[0]], d[1][p[1]]), d[2][p[2]]), 1);
-    for (const auto &p : kOdd) addTo(sum, multiply(multiply(d[0][p[0]], d[1][p[1]]), d[2][p[2]]), -1);
+    for (std::size_t x = 0; x < 3; ++x) { // by the third row's minors
+      const std::size_t y = (x + 1) % 3;
+      const std::size_t z = (x + 2) % 3;
+      Bernstein minor;
+      addTo(minor, multiply(d[0][y], d[1][z]), 1);
+      addTo(minor, multiply(d[0][z], d[1][y]), -1);
+      addTo(sum, multiply(minor, d[2][x]), 1);
+    }
   }
   return sum;
 }
