@@ -72,7 +72,9 @@ export function explain({ result, display }: Model, step: Step, refined: number)
         invariant:
           parts.fallbackComponents > 0
             ? `Fallback: every ${simplexName} is a part, because ${parts.fallbackReason}.`
-            : 'Other simplices that fill the same domain lead to the same blocks.',
+            : parts.pulledParts > 0
+              ? `${number(parts.pulledParts)} part(s) became ${simplexName}s, because ${parts.fallbackReason}.`
+              : 'Other simplices that fill the same domain lead to the same blocks.',
       };
     case 3:
       return {
@@ -221,7 +223,9 @@ export function checkTexts({ result }: Model): CheckText[] {
     },
     {
       check: 'geometry',
-      title: 'No block is inverted; measures agree',
+      title: certificate.isExact
+        ? 'No block is inverted; measures agree'
+        : 'No block is inverted; straight blocks come near',
       looked: `${primal.quality.length} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its block’s largest; ${flat ? 'areas' : 'volumes'} ${certificate.meshMeasure.toPrecision(7)} and ${certificate.domainMeasure.toPrecision(7)}.`,
       view: { ...show(8, { blocks: { visible: true, opacity: 1 } }), shrink: 1 },
     },

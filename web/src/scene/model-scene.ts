@@ -47,12 +47,17 @@ export class ModelScene {
     this.theme = theme;
     const { box } = model.display;
     this.center.set((box[0]! + box[3]!) / 2, (box[1]! + box[4]!) / 2, (box[2]! + box[5]!) / 2);
-    const { vertices } = model.display.domain;
+    const { dimension, domain } = model.result; // all of its vertices: a ball has none that is a feature
+    const { vertices } = domain;
     let reach = 0;
-    for (let v = 0; v < vertices.length; v += 3)
+    for (let v = 0; v < vertices.length; v += dimension)
       reach = Math.max(
         reach,
-        this.center.distanceToSquared({ x: vertices[v]!, y: vertices[v + 1]!, z: vertices[v + 2]! }),
+        this.center.distanceToSquared({
+          x: vertices[v]!,
+          y: vertices[v + 1]!,
+          z: dimension === 3 ? vertices[v + 2]! : 0,
+        }),
       );
     this.radius = Math.sqrt(reach) || 1;
   }
