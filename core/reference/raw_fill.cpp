@@ -69,15 +69,9 @@ Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength) {
   orientPositively(fill.mesh);
   noteNodeSimplices(fill.mesh);
   for (std::size_t f = 0; f < tetrahedra.faces.size(); ++f) {
-    // TetGen may name a deleted simplex outside the hull as one of the two: take one that has the face.
-    for (const Index s : tetrahedra.faceSimplices[f]) {
-      const int face =
-          s < 0 || s >= fill.mesh.simplexCount() ? -1 : findFace<3>(fill.mesh, s, tetrahedra.faces[f]);
-      if (face < 0) continue;
-      fill.facetFaces.push_back({s, face});
-      fill.facetOfFace.push_back(tetrahedra.faceFacet[f]);
-      break;
-    }
+    const Index s = tetrahedra.faceSimplices[f][0];
+    fill.facetFaces.push_back({s, findFace<3>(fill.mesh, s, tetrahedra.faces[f])});
+    fill.facetOfFace.push_back(tetrahedra.faceFacet[f]);
   }
   return fill;
 }

@@ -6,6 +6,7 @@
 #include <new>
 #include <random>
 
+#include "base/sort.h"
 #include "domain/polygon.h"
 #include "toolchain/tetgen_fixed.h"
 
@@ -116,6 +117,62 @@ Tetrahedra readOutput(const tetgenio &out) {
   return mesh;
 }
 
+/// Gives each face of a facet a simplex that has it: TetGen may name deleted ones. False where it lists a
+/// face that no simplex has.
+bool locateFaces(Tetrahedra &mesh) {
+  const auto has = [&](Index s, const std::array<Index, 3> &face) {
+    if (s < 0 || at(s) >= mesh.simplices.size()) return false;
+    const auto &v = mesh.simplices[at(s)];
+    return std::all_of(face.begin(), face.end(),
+                       [&](Index node) { return std::find(v.begin(), v.end(), node) != v.end(); });
+  };
+  struct Missing {
+    std::array<Index, 3> face; // sorted
+    std::size_t number;
+  };
+  const auto less = [](const Missing &a, const Missing &b) { return a.face < b.face; };
+  std::vector<Missing> missing;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    auto &[first, second] = mesh.faceSimplices[f];
+    if (!has(first, mesh.faces[f])) first = second;
+    if (has(first, mesh.faces[f])) continue;
+    missing.push_back({mesh.faces[f], f});
+    sortItems(missing.back().face);
+  }
+  if (missing.empty()) return true;
+  sortItems(missing, less);
+  std::size_t found = 0;
+  for (Index s = 0; s < toIndex(mesh.simplices.size()); ++s)
+    for (std::size_t i = 0; i < 4; ++i) {
+      Missing wanted{{}, 0};
+      for (std::size_t v = 0, m = 0; v < 4; ++v)
+        if (v != i) wanted.face[m++] = mesh.simplices[at(s)][v];
+      sortItems(wanted.face);
+      const auto place = std::lower_bound(missing.begin(), missing.end(), wanted, less);
+      if (place == missing.end() || place->face != wanted.face) continue;
+      Index &simplex = mesh.faceSimplices[place->number][0];
+      if (has(simplex, wanted.face)) continue; // from its other side
+      simplex = s;
+      ++found;
+    }
+  return found == missing.size();
+}
+
+/// Whether the faces cover each facet: TetGen has been seen to lose whole cells of an assembly.
+bool coversFacets(const Tetrahedra &mesh, const std::vector<Facet> &facets) {
+  std::vector<double> covered(facets.size(), 0);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto &[a, b, c] = mesh.faces[f];
+    covered[at(mesh.faceFacet[f])] +=
+        glm::length(glm::cross(mesh.nodes[at(b)] - mesh.nodes[at(a)], mesh.nodes[at(c)] - mesh.nodes[at(a)]));
+  }
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const double area = glm::length(areaVector(mesh.nodes, facets[f]));
+    if (std::abs(covered[f] - area) > 1e-4 * area) return false;
+  }
+  return true;
+}
+
 Error explain(int code) {
   switch (code) {
   case 1:
@@ -163,6 +220,7 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
     Tetrahedra mesh = readOutput(out);
     if (mesh.nodes.size() < vertices.size()) continue;
     std::copy(vertices.begin(), vertices.end(), mesh.nodes.begin());
+    if (!locateFaces(mesh) || !coversFacets(mesh, facets)) continue;
     mesh.remedy = attempt.remedy;
     mesh.milliseconds = spent.count();
     return mesh;

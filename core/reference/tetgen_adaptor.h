@@ -15,7 +15,7 @@ struct Tetrahedra {
   std::vector<std::array<Index, 4>> neighbors; // across the face opposite to vertex i
   std::vector<std::array<Index, 3>> faces;     // on the facets
   std::vector<Index> faceFacet;
-  std::vector<std::array<Index, 2>> faceSimplices; // those on both sides; one of them may be bogus
+  std::vector<std::array<Index, 2>> faceSimplices; // the first one has the face
   std::string remedy;      // empty, or how the input had to be changed slightly for TetGen to succeed
   double milliseconds = 0; // spent inside TetGen
 };
