@@ -168,9 +168,11 @@ void countNodesAndEdges(const CertificateInput<N> &in, const BoundarySkeleton<N>
 
 /// What each cell's Euler characteristic should be: 1, less 1 for each time that the domain's boundary comes
 /// back to a node that the cell holds. There the domain itself is no manifold, and its neighbourhood no ball.
-template <int N> std::vector<Index> eulerOfCells(const CertificateInput<N> &in, EulerCount<N> &euler) {
+template <int N>
+std::vector<Index> eulerOfCells(const CertificateInput<N> &in, const BlockComplex<N> &complex,
+                                EulerCount<N> &euler) {
   std::vector<Index> wanted(euler.ofCell.size(), 1);
-  for (const auto &[node, s] : findPinches(in)) {
+  for (const auto &[node, s] : complex.pinches) {
     const Index piece = euler.pieceAt(s, holding<N>(1U << in.mesh.localVertex(s, node)));
     --wanted[at(in.dual.pieces[at(piece)].cell)];
   }
@@ -179,7 +181,8 @@ template <int N> std::vector<Index> eulerOfCells(const CertificateInput<N> &in, 
 
 } // namespace
 
-template <int N> void checkCells(const CertificateInput<N> &in, Certificate &certificate) {
+template <int N>
+void checkCells(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
   const auto describe = [&](const CellPiece<N> &piece) {
     std::string text = "part " + std::to_string(piece.part) + ", sides {";
     for (int k = 0; k < piece.sideCount(); ++k) text += (k ? ", " : "") + std::to_string(piece.sides[at(k)]);
@@ -203,7 +206,7 @@ template <int N> void checkCells(const CertificateInput<N> &in, Certificate &cer
                        "the D-bar-cell of " + describe(in.dual.pieces[p]) +
                            " is not a ball: Euler characteristic " + std::to_string(euler.ofPiece[p]),
                        {{"cell", in.dual.pieces[p].cell}});
-  const std::vector<Index> wanted = eulerOfCells(in, euler);
+  const std::vector<Index> wanted = eulerOfCells(in, complex, euler);
   for (std::size_t c = 0; c < euler.ofCell.size(); ++c)
     if (euler.ofCell[c] != wanted[c])
       certificate.fail(Check::cells,
@@ -212,7 +215,7 @@ template <int N> void checkCells(const CertificateInput<N> &in, Certificate &cer
                        {{"cell", static_cast<std::int64_t>(c)}});
 }
 
-template void checkCells(const CertificateInput<2> &, Certificate &);
-template void checkCells(const CertificateInput<3> &, Certificate &);
+template void checkCells(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);
+template void checkCells(const CertificateInput<3> &, const BlockComplex<3> &, Certificate &);
 
 } // namespace dualblock

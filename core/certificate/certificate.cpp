@@ -16,8 +16,8 @@ void Certificate::fail(Check check, std::string message, std::vector<EntityRef> 
 template <int N> Certificate certify(const CertificateInput<N> &input) {
   Certificate certificate;
   checkMatching(input, certificate);
-  checkCells(input, certificate);
   const BlockComplex<N> complex = buildBlockComplex(input);
+  checkCells(input, complex, certificate);
   checkTopology(input, complex, certificate);
   checkGeometry(input, certificate);
   checkFeatures(input, complex, certificate);

@@ -14,6 +14,11 @@ template <int N> struct BlockFace {
   Index side; // the side of the part that the face lies on, or kNone for a face towards the part's centre
 };
 
+/// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
+struct Pinch {
+  Index node, simplex;
+};
+
 /// The blocks' faces, sorted by key, so that the faces of two blocks stand together.
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
@@ -21,6 +26,7 @@ template <int N> struct BlockComplex {
   std::vector<Index> faceOf;               // per block and local number: index in `faces`
   std::vector<std::array<Index, 2>> edges; // sorted node pairs, each once
   std::vector<Index> blocksAtEdge;         // per edge
+  std::vector<Pinch> pinches;
 };
 
 /// An edge of the blocks (2D: node) where the blocks around it lie between two patches.
@@ -52,14 +58,9 @@ template <int N> bool isBent(const CertificateInput<N> &input) {
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &input);
 
-/// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
-struct Pinch {
-  Index node, simplex;
-};
-template <int N> std::vector<Pinch> findPinches(const CertificateInput<N> &input);
-
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
-template <int N> void checkCells(const CertificateInput<N> &input, Certificate &certificate);
+template <int N>
+void checkCells(const CertificateInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
 template <int N>
 void checkTopology(const CertificateInput<N> &input, const BlockComplex<N> &complex,
                    Certificate &certificate);

@@ -56,7 +56,7 @@ Index eulerByCounting(const ReferenceMesh<3> &mesh) {
          static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
 }
 
-template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
+template <int N> Shape shapeOfReference(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
   // chi = nodes - edges + triangles - tetrahedra. Edges are counted by sorting node pairs (3D).
   const ReferenceMesh<N> &mesh = in.mesh;
   Shape shape;
@@ -80,7 +80,7 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in) {
     shape.euler = nodes - edges + mesh.simplexCount();
   } else {
     // A 3-manifold with boundary has half the Euler characteristic of its boundary.
-    if (!findPinches(in).empty()) shape.euler = eulerByCounting(mesh);
+    if (!complex.pinches.empty()) shape.euler = eulerByCounting(mesh);
     else {
       std::vector<bool> used(mesh.nodes.size(), false);
       Index nodes = 0;
@@ -122,13 +122,8 @@ template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockC
   return shape;
 }
 
-} // namespace
-
-template <> std::vector<Pinch> findPinches(const CertificateInput<2> &) {
-  return {};
-} // unpinch has doubled those
-
-template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
+/// In 2D there are none: unpinch has doubled them.
+std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
   // Corners of outer faces: two at one node go together where their faces share an edge there.
   struct Fan {
     std::array<Index, 2> edge; // node and neighbour
@@ -136,15 +131,14 @@ template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
   };
   std::vector<Fan> fans;
   std::vector<Pinch> corners;
-  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
-      if (in.mesh.neighbors[at(s)][i] != kNone) continue;
+      if (mesh.neighbors[at(s)][i] != kNone) continue;
       for (int v = 0; v < 4; ++v) {
         if (v == i) continue;
-        const Index node = in.mesh.simplices[at(s)][v];
+        const Index node = mesh.simplices[at(s)][v];
         for (int w = 0; w < 4; ++w)
-          if (w != i && w != v)
-            fans.push_back({{node, in.mesh.simplices[at(s)][w]}, toIndex(corners.size())});
+          if (w != i && w != v) fans.push_back({{node, mesh.simplices[at(s)][w]}, toIndex(corners.size())});
         corners.push_back({node, s});
       }
     }
@@ -154,7 +148,7 @@ template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
   DisjointSets sets(corners.size());
   for (std::size_t f = 0; f + 1 < fans.size(); ++f)
     if (fans[f].edge == fans[f + 1].edge) sets.unite(fans[f].corner, fans[f + 1].corner);
-  std::vector<bool> seen(in.mesh.nodes.size(), false);
+  std::vector<bool> seen(mesh.nodes.size(), false);
   std::vector<Pinch> pinches;
   for (Index c = 0; c < toIndex(corners.size()); ++c) {
     if (sets.find(c) != c) continue;
@@ -164,6 +158,8 @@ template <> std::vector<Pinch> findPinches(const CertificateInput<3> &in) {
   return pinches;
 }
 
+} // namespace
+
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
   // A hexahedron's faces and edges (VTK order), a quad's sides.
   static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
@@ -172,6 +168,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
   static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                         {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   BlockComplex<N> complex;
+  if constexpr (N == 3) complex.pinches = findPinches(in.mesh);
   std::vector<std::array<Index, 2>> edges;
   for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
     const Block<N> &block = in.primal.blocks[at(b)];
@@ -253,7 +250,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold",
                        {{"node", ridges[begin][0]}});
   }
-  const Shape reference = shapeOfReference(in);
+  const Shape reference = shapeOfReference(in, complex);
   const Shape blocks = shapeOfBlocks(in, complex);
   if (!(reference == blocks))
     certificate.fail(Check::topology,

@@ -351,7 +351,7 @@ std::vector<Proposal> proposals(const PartView &v) {
 }
 
 bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
-              const BentCutOptions &options) {
+              const CutOptions &options) {
   if (proposal.surface.field && resolve(mesh, *proposal.surface.field, options.tolerance) > 0)
     return true; // parts have to be found anew; the next round cuts
   std::vector<Index> from = proposal.from;
@@ -373,7 +373,7 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 
 } // namespace
 
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
                  const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   std::size_t curve = 0;

@@ -2,18 +2,14 @@
 // curves, sides that meet twice, sides that turn too far. Internal to parts/.
 #pragma once
 
+#include "parts/cut_options.h"
 #include "parts/parts.h"
 
 namespace dualblock {
 
-struct BentCutOptions {
-  double tolerance;    // nodes nearer to a cut than this count as on it
-  Index facetSurfaces; // surfaces below this number are the domain's own facets
-};
-
 /// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more
 /// than 140 degrees, and cuts it. Components that gave up are passed over. Returns whether a cut was made.
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
                  const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

@@ -58,7 +58,7 @@ Index splitSurfacesAt(const ReferenceMesh<3> &mesh, Index node, Index facetSurfa
 /// not hang on the numbering); then the one that divides the corner's sides most evenly.
 bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner,
                const std::vector<Spoke> &spokes, const std::vector<Index> &partCornerNodes,
-               const CornerCutOptions &options) {
+               const CutOptions &options) {
   using Score = std::tuple<Index, Index, Index>;
   std::optional<std::pair<Score, std::pair<std::size_t, Plane<3>>>> best;
   const Vec<3> apex = mesh.nodes[at(corner.node)];
@@ -106,7 +106,7 @@ bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corn
 
 } // namespace
 
-Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CornerCutOptions &options,
+Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
                  const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   Index cuts = 0;

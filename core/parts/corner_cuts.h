@@ -1,18 +1,14 @@
 // Cuts through vertices of more than three sides (ARCHITECTURE.md 3, rule 2). Internal to parts/.
 #pragma once
 
+#include "parts/cut_options.h"
 #include "parts/parts.h"
 
 namespace dualblock {
 
-struct CornerCutOptions {
-  double tolerance;    // nodes nearer to a cut than this count as on it
-  Index facetSurfaces; // surfaces below this number are the domain's own facets
-};
-
 /// At most one cut in each part that has a corner of too many sides. Components that gave up are passed over.
 /// Returns the cuts.
-Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CornerCutOptions &options,
+Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
                  const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

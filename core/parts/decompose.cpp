@@ -64,7 +64,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }
-    cuts += cutReflexCurve<N>(mesh, curve, {options.tolerance, options.facetSurfaces});
+    cuts += cutReflexCurve<N>(mesh, curve, options);
   }
 }
 
@@ -84,7 +84,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
   }
   if constexpr (N == 3) {
     for (int round = 0; round < kBentRounds; ++round) {
-      if (!cutBentPart(mesh, result.parts, {options.tolerance, options.facetSurfaces}, budget.gaveUp)) break;
+      if (!cutBentPart(mesh, result.parts, options, budget.gaveUp)) break;
       ++result.bentCuts;
       result.parts = buildParts(mesh, partOptions);
       budget.update(mesh, kBentShare);
@@ -97,8 +97,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
     };
     for (int round = 0; needed && round < kVertexRounds; ++round) {
       budget.limitBlocks(mesh, result.parts, limit);
-      const Index cuts =
-          cutCorners(mesh, result.parts, {options.tolerance, options.facetSurfaces}, budget.gaveUp);
+      const Index cuts = cutCorners(mesh, result.parts, options, budget.gaveUp);
       if (cuts == 0) break;
       result.vertexCuts += cuts;
       result.parts = buildParts(mesh, partOptions);

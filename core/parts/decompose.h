@@ -5,14 +5,13 @@
 #include <functional>
 #include <optional>
 
+#include "parts/cut_options.h"
 #include "parts/features.h"
 #include "parts/pull.h"
 
 namespace dualblock {
 
-struct DecomposeOptions {
-  double tolerance;                        // nodes nearer to a cutting plane than this count as on it
-  Index facetSurfaces;                     // surfaces below this number are the domain's own facets
+struct DecomposeOptions : CutOptions {
   std::function<double(Index)> blockLimit; // of a component: give up when its parts would give more blocks
                                            // than this; asked for only where vertices have to be cut
 };

@@ -144,7 +144,7 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
 /// Cuts along one sector plane of one run. Returns whether there was something to cut.
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
-            std::size_t sector, const ReflexCutOptions &options) {
+            std::size_t sector, const CutOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
   if (surface.field) resolve(mesh, *surface.field, options.tolerance);
   const auto [f, g] = curve.frames[run[0]].tags;
@@ -182,7 +182,7 @@ std::vector<double> sectorPlanes(CurveKind kind, double angle) {
 }
 
 template <int N>
-Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const ReflexCutOptions &options) {
+Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const CutOptions &options) {
   Index cuts = 0;
   const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
   for (const auto &run : smoothRuns(mesh, curve))
@@ -191,7 +191,7 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const Reflex
   return cuts;
 }
 
-template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, const ReflexCutOptions &);
-template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, const ReflexCutOptions &);
+template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, const CutOptions &);
+template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, const CutOptions &);
 
 } // namespace dualblock

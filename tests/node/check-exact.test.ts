@@ -8,7 +8,7 @@ import { sidesOf, windingInPlane } from '../../wasm/check/polygon.ts';
 import { deepest, signOfJacobian } from '../../wasm/check/positivity.ts';
 import { scaledJacobian } from '../../wasm/check/quality.ts';
 import type { Vector } from '../../wasm/check/vector.ts';
-import { randomNumbers } from './support/block-meshes.ts';
+import { kCorners, randomNumbers } from './support/block-meshes.ts';
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1];
 const square = cube.slice(0, 12);
@@ -22,21 +22,11 @@ const block = (corners: number[]): Mesh => ({
 
 /** The determinant at (x, y, z) = whole numbers over `unit`, times unit^6, from the trilinear map's definition. */
 function determinantAt(corners: number[], [x = 0, y = 0, z = 0]: number[], unit: number): bigint {
-  const bits = [
-    [0, 0, 0],
-    [1, 0, 0],
-    [1, 1, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-    [1, 0, 1],
-    [1, 1, 1],
-    [0, 1, 1],
-  ];
   const at = [x, y, z];
   const columns = [0, 1, 2].map((axis) =>
     [0, 1, 2].map((component) => {
       let sum = 0n;
-      bits.forEach((corner, c) => {
+      kCorners.forEach((corner, c) => {
         let weight = BigInt(corner[axis] === 1 ? 1 : -1);
         for (const other of [0, 1, 2]) {
           if (other === axis) continue;

@@ -2,7 +2,8 @@
 import type { Mesh } from '../../../wasm/check/mesh.ts';
 import { writeVtk } from '../../../wasm/io/write-vtk.ts';
 
-const kCorners = [
+/** The corners of the unit cube, in VTK's order. */
+export const kCorners = [
   [0, 0, 0],
   [1, 0, 0],
   [1, 1, 0],
