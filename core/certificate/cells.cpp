@@ -2,6 +2,8 @@
 // a ball as far as its Euler characteristic tells. A cell meets each simplex, face, edge and node of the
 // reference mesh in convex pieces; over the inner ones, with alternating signs, these add up to its Euler
 // characteristic (the reduced one of a simplex's link is its weight, 0 for simplices on the boundary).
+#include <tuple>
+
 #include "base/sort.h"
 #include "certificate/checks.h"
 
@@ -31,9 +33,11 @@ template <int N> struct BoundarySkeleton {
         }
       }
     // Of several entries for one edge the deepest comes first.
-    sortItems(edges, [](const auto &x, const auto &y) {
-      return x.first != y.first ? x.first < y.first : x.second > y.second;
-    });
+    sortByIndex(
+        edges, mesh.nodes.size(), [](const auto &e) { return e.first[0]; },
+        [](const auto &x, const auto &y) {
+          return std::tie(x.first, y.second) < std::tie(y.first, x.second);
+        });
     edges.erase(std::unique(edges.begin(), edges.end(),
                             [](const auto &x, const auto &y) { return x.first == y.first; }),
                 edges.end());

@@ -1,9 +1,19 @@
 // The five checks of the certificate, one file each. Internal to certificate/.
 #pragma once
 
+#include <tuple>
+
 #include "certificate/certificate.h"
 
 namespace dualblock {
+
+/// Corner k of face f of a block, in VTK's order of corners.
+template <int N> constexpr int faceCorner(int f, int k) {
+  constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  constexpr int kQuadSides[4][2] = {{3, 0}, {1, 2}, {0, 1}, {2, 3}};
+  return N == 3 ? kFaces[f][k] : kQuadSides[f % 4][k % 2];
+}
 
 /// A face of a block, by its nodes in the block's order and by its sorted nodes.
 template <int N> struct BlockFace {
@@ -34,7 +44,7 @@ struct Crease {
   std::array<Index, 2> keys;  // of the patches and the sides that they are seen from, ascending
   std::array<Index, 2> nodes; // ascending; 2D: the node twice
   Index blocks;               // around it, from one patch to the other
-  bool operator<(const Crease &o) const { return keys != o.keys ? keys < o.keys : nodes < o.nodes; }
+  bool operator<(const Crease &o) const { return std::tie(keys, nodes) < std::tie(o.keys, o.nodes); }
   bool operator==(const Crease &o) const { return keys == o.keys && nodes == o.nodes; }
 };
 

@@ -3,6 +3,28 @@
 #include "certificate/checks.h"
 
 namespace dualblock {
+namespace {
+
+/// Per face of a block and place in its cycle: the block's other face at the edge that begins there (2D: at
+/// the node), from the cycles that buildBlockComplex gives the faces.
+template <int N> constexpr auto acrossTable() {
+  std::array<std::array<int, 1 << (N - 1)>, 2 * N> table{};
+  for (int f = 0; f < 2 * N; ++f)
+    for (int k = 0; k < 1 << (N - 1); ++k)
+      for (int g = 0; g < 2 * N; ++g) {
+        const auto has = [&](int corner) {
+          for (int c = 0; c < 1 << (N - 1); ++c)
+            if (faceCorner<N>(g, c) == corner) return true;
+          return false;
+        };
+        if (g != f && has(faceCorner<N>(f, k)) && (N == 2 || has(faceCorner<N>(f, (k + 1) % 4))))
+          table[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)] = g;
+      }
+  return table;
+}
+template <int N> constexpr auto kAcross = acrossTable<N>();
+
+} // namespace
 
 /// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the
 /// fan.
@@ -17,8 +39,10 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
       return f + 1;
     return kNone;
   };
-  const auto holds = [](const BlockFace<N> &face, Index node) {
-    return std::binary_search(face.key.begin(), face.key.end(), node);
+  const auto place = [](const BlockFace<N> &face, Index node) {
+    std::size_t k = 0;
+    while (face.cycle[k] != node) ++k;
+    return k;
   };
   std::vector<Crease> creases;
   for (const BlockFace<N> &start : complex.faces) {
@@ -26,31 +50,28 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
     for (std::size_t k = 0; k < start.cycle.size(); ++k) {
       const Index a = start.cycle[k];
       const Index b = N == 2 ? a : start.cycle[(k + 1) % start.cycle.size()];
-      Index block = start.block;
-      int from = start.local;
-      Crease crease{{kNone, kNone}, {std::min(a, b), std::max(a, b)}, 0};
+      const BlockFace<N> *from = &start;
+      Crease crease{{kNone, kNone}, sortedPair(a, b), 0};
       while (at(crease.blocks) < in.primal.blocks.size()) {
         ++crease.blocks;
-        Index across = kNone;
-        for (int f = 0; f < 2 * N; ++f) {
-          const Index face = complex.faceOf[at(2 * N * block + f)];
-          if (f != from && holds(complex.faces[at(face)], a) && holds(complex.faces[at(face)], b))
-            across = face;
-        }
-        if (across == kNone) break;
-        if (facetOf(in, complex.faces[at(across)]) != kNone) {
-          crease.keys = {key(start), key(complex.faces[at(across)])};
+        // The block's other face at a and b.
+        std::size_t edge = place(*from, a);
+        if (N == 3 && from->cycle[(edge + 1) % from->cycle.size()] != b) edge = place(*from, b);
+        const int local = kAcross<N>[at(from->local)][edge];
+        const Index across = complex.faceOf[at(2 * N * from->block + local)];
+        const BlockFace<N> &face = complex.faces[at(across)];
+        if (facetOf(in, face) != kNone) {
+          crease.keys = {key(start), key(face)};
           break;
         }
         const Index next = mateOf(across);
         if (next == kNone) break; // no facet where there is no block: checkFacets says so
-        block = complex.faces[at(next)].block;
-        from = complex.faces[at(next)].local;
+        from = &complex.faces[at(next)];
       }
       if (crease.keys[0] < crease.keys[1]) creases.push_back(crease); // each fan is met from both of its ends
     }
   }
-  sortItems(creases);
+  sortByIndex(creases, 2 * in.mesh.surfaces.size(), [](const Crease &c) { return c.keys[0]; });
   creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
   return creases;
 }

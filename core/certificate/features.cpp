@@ -90,19 +90,24 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   if constexpr (N == 3)
     if (isBent(in)) checkBentSides(in, complex, tolerance, certificate);
 
-  // Vertices: sort the primal nodes by position and look each vertex up.
-  std::vector<Index> byPosition(in.primal.positions.size());
-  for (std::size_t k = 0; k < byPosition.size(); ++k) byPosition[k] = toIndex(k);
-  sortItems(byPosition,
-            [&](Index a, Index b) { return in.primal.positions[at(a)].x < in.primal.positions[at(b)].x; });
+  // Vertices: the primal nodes in the order of their heights along a direction that few of them share a plane
+  // across, and each vertex looked up.
+  Vec<N> slanted{1.0};
+  for (int k = 1; k < N; ++k) slanted[k] = slanted[k - 1] * 0.7320508075688772;
+  slanted = glm::normalize(slanted);
+  std::vector<std::pair<double, Index>> byHeight;
+  byHeight.reserve(in.primal.positions.size());
+  for (const Vec<N> &x : in.primal.positions)
+    byHeight.emplace_back(glm::dot(x, slanted), toIndex(byHeight.size()));
+  sortItems(byHeight);
   for (const Corner &corner : in.features.corners) {
     const Vec<N> x = in.featureNodes[at(corner.node)];
-    auto near =
-        std::lower_bound(byPosition.begin(), byPosition.end(), x.x - tolerance,
-                         [&](Index node, double value) { return in.primal.positions[at(node)].x < value; });
+    const double height = glm::dot(x, slanted);
+    const double slack = 2 * tolerance; // heights are rounded, too
+    auto near = std::lower_bound(byHeight.begin(), byHeight.end(), std::pair(height - slack, Index{0}));
     bool found = false;
-    for (; near != byPosition.end() && in.primal.positions[at(*near)].x <= x.x + tolerance && !found; ++near)
-      found = glm::length(in.primal.positions[at(*near)] - x) <= tolerance;
+    for (; near != byHeight.end() && near->first <= height + slack && !found; ++near)
+      found = glm::length(in.primal.positions[at(near->second)] - x) <= tolerance;
     if (!found)
       certificate.fail(Check::features,
                        "vertex " + std::to_string(corner.node) + " of the domain is no primal node",

@@ -10,155 +10,135 @@
 namespace dualblock {
 namespace {
 
-/// Up to 27 numbers: a block's determinant has no more coefficients, and there are many blocks.
-class Coefficients {
-public:
-  void assign(std::size_t count, double value) {
-    size_ = count;
-    std::fill(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(count), value);
-  }
-  double &operator[](std::size_t k) { return items_[k]; }
-  double operator[](std::size_t k) const { return items_[k]; }
-  double *begin() { return items_.data(); }
-  double *end() { return items_.data() + size_; }
-  const double *begin() const { return items_.data(); }
-  const double *end() const { return items_.data() + size_; }
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
+using Degree = std::array<int, 3>; // per axis; 0 beyond the dimension
 
-private:
-  std::array<double, 27> items_;
-  std::size_t size_ = 0;
-};
-
-/// A polynomial in Bernstein form with the given degree per axis (0 beyond N).
-struct Bernstein {
-  std::array<int, 3> degree{};
-  Coefficients c; // first axis fastest
-
-  std::size_t index(int i, int j, int k) const {
-    const int place = i + (degree[0] + 1) * (j + (degree[1] + 1) * k);
-    return at(place);
-  }
-  std::size_t size() const { return index(degree[0], degree[1], degree[2]) + 1; }
-};
-
-/// C(a, i) C(b, p) / C(a + b, i + p), the weight of a product of coefficients along one axis, for a + b up
-/// to 2.
-double productWeight(int a, int i, int b, int p) {
-  constexpr double kBinomial[3][3] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 1}};
-  return kBinomial[a][i] * kBinomial[b][p] / kBinomial[a + b][i + p];
+constexpr Degree operator+(const Degree &a, const Degree &b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-template <typename Visit> void forIndices(const std::array<int, 3> &degree, Visit visit) {
+/// A polynomial in Bernstein form.
+template <Degree D> struct Bernstein {
+  static constexpr std::size_t index(int i, int j, int k) {
+    return at(i + (D[0] + 1) * (j + (D[1] + 1) * k));
+  }
+  static constexpr std::size_t kSize = index(D[0], D[1], D[2]) + 1;
+  std::array<double, kSize> c{}; // first axis fastest
+};
+
+template <typename Visit> constexpr void forIndices(const Degree &degree, Visit visit) {
   for (int k = 0; k <= degree[2]; ++k)
     for (int j = 0; j <= degree[1]; ++j)
       for (int i = 0; i <= degree[0]; ++i) visit(i, j, k);
 }
 
-Bernstein multiply(const Bernstein &a, const Bernstein &b) {
-  Bernstein r;
-  for (std::size_t axis = 0; axis < 3; ++axis) r.degree[axis] = a.degree[axis] + b.degree[axis];
-  r.c.assign(r.size(), 0);
-  forIndices(a.degree, [&](int i, int j, int k) {
-    forIndices(b.degree, [&](int p, int q, int s) {
-      const double w = productWeight(a.degree[0], i, b.degree[0], p) *
-                       productWeight(a.degree[1], j, b.degree[1], q) *
-                       productWeight(a.degree[2], k, b.degree[2], s);
-      r.c[r.index(i + p, j + q, k + s)] += w * a.c[a.index(i, j, k)] * b.c[b.index(p, q, s)];
+/// C(a, i) C(b, p) / C(a + b, i + p), the weight of a product of coefficients along one axis, for a + b up
+/// to 2.
+constexpr double productWeight(int a, int i, int b, int p) {
+  constexpr double kBinomial[3][3] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 1}};
+  return kBinomial[a][i] * kBinomial[b][p] / kBinomial[a + b][i + p];
+}
+
+/// One term of a product: coefficients of the factors, of the product, and the weight.
+struct Term {
+  std::size_t a, b, to;
+  double weight;
+};
+
+template <Degree A, Degree B> constexpr auto productTerms() {
+  std::array<Term, Bernstein<A>::kSize * Bernstein<B>::kSize> terms{};
+  std::size_t n = 0;
+  forIndices(A, [&](int i, int j, int k) {
+    forIndices(B, [&](int p, int q, int s) {
+      terms[n++] = {Bernstein<A>::index(i, j, k), Bernstein<B>::index(p, q, s),
+                    Bernstein<A + B>::index(i + p, j + q, k + s),
+                    productWeight(A[0], i, B[0], p) * productWeight(A[1], j, B[1], q) *
+                        productWeight(A[2], k, B[2], s)};
     });
   });
-  return r;
+  return terms;
 }
 
-void addTo(Bernstein &a, const Bernstein &b, double factor) {
-  if (a.c.empty()) {
-    a = b;
-    for (double &x : a.c) x *= factor;
-    return;
-  }
-  for (std::size_t n = 0; n < a.c.size(); ++n) a.c[n] += factor * b.c[n];
+/// Adds factor * a * b.
+template <Degree A, Degree B>
+void addProduct(Bernstein<A + B> &sum, const Bernstein<A> &a, const Bernstein<B> &b, double factor) {
+  static constexpr auto kTerms = productTerms<A, B>(); // no block needs them anew, and there are many blocks
+  for (const Term &t : kTerms) sum.c[t.to] += factor * t.weight * a.c[t.a] * b.c[t.b];
 }
 
-/// Coordinate `x` of the derivative of the block's map along `axis`.
-template <int N> Bernstein derivative(const std::array<Vec<N>, 1 << N> &corners, int axis, int x) {
+/// Coordinates of the derivative of the block's map along an axis, whose degree is D.
+template <int N, Degree D>
+std::array<Bernstein<D>, N> derivative(const std::array<Vec<N>, 1 << N> &corners, std::size_t axis) {
   // VTK's order: parameters of corner n.
   static constexpr int kParameters[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                             {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  Bernstein d;
-  for (int a = 0; a < N; ++a) d.degree[static_cast<std::size_t>(a)] = a == axis ? 0 : 1;
-  d.c.assign(d.size(), 0);
+  std::array<Bernstein<D>, N> d;
   for (std::size_t n = 0; n < corners.size(); ++n) {
-    std::array<int, 3> p{kParameters[n][0], kParameters[n][1], kParameters[n][2]};
-    const double sign = p[static_cast<std::size_t>(axis)] == 1 ? 1 : -1;
-    p[static_cast<std::size_t>(axis)] = 0;
-    d.c[d.index(p[0], p[1], p[2])] += sign * corners[n][x];
+    Degree p{kParameters[n][0], kParameters[n][1], kParameters[n][2]};
+    const double sign = p[axis] == 1 ? 1 : -1;
+    p[axis] = 0;
+    for (int x = 0; x < N; ++x) d[at(x)].c[Bernstein<D>::index(p[0], p[1], p[2])] += sign * corners[n][x];
   }
   return d;
 }
 
-template <int N> Bernstein determinant(const std::array<Vec<N>, 1 << N> &corners) {
-  std::array<std::array<Bernstein, N>, N> d; // d[axis][coordinate]
-  for (int axis = 0; axis < N; ++axis)
-    for (int x = 0; x < N; ++x)
-      d[static_cast<std::size_t>(axis)][static_cast<std::size_t>(x)] = derivative<N>(corners, axis, x);
-  Bernstein sum;
+template <int N> constexpr Degree kJacobian = N == 2 ? Degree{1, 1, 0} : Degree{2, 2, 2};
+
+template <int N> Bernstein<kJacobian<N>> determinant(const std::array<Vec<N>, 1 << N> &corners) {
+  Bernstein<kJacobian<N>> sum;
   if constexpr (N == 2) {
-    addTo(sum, multiply(d[0][0], d[1][1]), 1);
-    addTo(sum, multiply(d[0][1], d[1][0]), -1);
+    const auto u = derivative<2, Degree{0, 1, 0}>(corners, 0);
+    const auto v = derivative<2, Degree{1, 0, 0}>(corners, 1);
+    addProduct(sum, u[0], v[1], 1);
+    addProduct(sum, u[1], v[0], -1);
   } else {
+    const auto u = derivative<3, Degree{0, 1, 1}>(corners, 0);
+    const auto v = derivative<3, Degree{1, 0, 1}>(corners, 1);
+    const auto w = derivative<3, Degree{1, 1, 0}>(corners, 2);
     for (std::size_t x = 0; x < 3; ++x) { // by the third row's minors
       const std::size_t y = (x + 1) % 3;
       const std::size_t z = (x + 2) % 3;
-      Bernstein minor;
-      addTo(minor, multiply(d[0][y], d[1][z]), 1);
-      addTo(minor, multiply(d[0][z], d[1][y]), -1);
-      addTo(sum, multiply(minor, d[2][x]), 1);
+      Bernstein<Degree{1, 1, 2}> minor;
+      addProduct(minor, u[y], v[z], 1);
+      addProduct(minor, u[z], v[y], -1);
+      addProduct(sum, minor, w[x], 1);
     }
   }
   return sum;
 }
 
 /// One half of the polynomial along an axis, by de Casteljau.
-Bernstein half(const Bernstein &whole, std::size_t axis, bool upper) {
-  Bernstein r = whole;
-  const int n = whole.degree[axis];
-  std::array<int, 3> lines = whole.degree;
+template <Degree D> Bernstein<D> half(const Bernstein<D> &whole, std::size_t axis, bool upper) {
+  Bernstein<D> r = whole;
+  const int n = D[axis];
+  Degree lines = D;
   lines[axis] = 0;
   forIndices(lines, [&](int i, int j, int k) {
-    std::array<int, 3> at{i, j, k};
-    std::vector<double> row;
+    std::array<std::size_t, 3> place{}; // of the line's coefficients, from the end that stays
+    std::array<double, 3> row{};
     for (int m = 0; m <= n; ++m) {
-      at[axis] = m;
-      row.push_back(whole.c[whole.index(at[0], at[1], at[2])]);
+      Degree p{i, j, k};
+      p[axis] = upper ? n - m : m;
+      place[at(m)] = Bernstein<D>::index(p[0], p[1], p[2]);
+      row[at(m)] = whole.c[place[at(m)]];
     }
     for (int level = 0; level <= n; ++level) {
-      at[axis] = upper ? n - level : level;
-      r.c[r.index(at[0], at[1], at[2])] = upper ? row.back() : row[0];
-      for (int m = 0; m + level < n; ++m) {
-        const auto u = static_cast<std::size_t>(m);
-        if (!upper) row[u] = (row[u] + row[u + 1]) / 2;
-      }
-      if (upper)
-        for (int m = n; m > level; --m) {
-          const auto u = static_cast<std::size_t>(m);
-          row[u] = (row[u] + row[u - 1]) / 2;
-        }
+      r.c[place[at(level)]] = row[0];
+      for (int m = 0; m + level < n; ++m) row[at(m)] = (row[at(m)] + row[at(m + 1)]) / 2;
     }
   });
   return r;
 }
 
-int signWithin(const Bernstein &p, double error, int depth) {
+template <Degree D> int signWithin(const Bernstein<D> &p, double error, int depth) {
   if (*std::min_element(p.c.begin(), p.c.end()) > error) return 1;
   // The coefficients at the corners are values of the determinant.
-  for (int k = 0; k <= p.degree[2]; k += std::max(p.degree[2], 1))
-    for (int j = 0; j <= p.degree[1]; j += std::max(p.degree[1], 1))
-      for (int i = 0; i <= p.degree[0]; i += std::max(p.degree[0], 1))
+  for (int k = 0; k <= D[2]; k += std::max(D[2], 1))
+    for (int j = 0; j <= D[1]; j += std::max(D[1], 1))
+      for (int i = 0; i <= D[0]; i += std::max(D[0], 1))
         if (p.c[p.index(i, j, k)] <= error) return -1;
   if (depth == 0) return 0;
-  const std::size_t axis = static_cast<std::size_t>(depth % 3);
-  const std::size_t split = p.degree[axis] > 0 ? axis : 0;
+  const std::size_t axis = at(depth % 3);
+  const std::size_t split = D[axis] > 0 ? axis : 0;
   const int low = signWithin(half(p, split, false), error, depth - 1);
   return low <= 0 ? low : signWithin(half(p, split, true), error, depth - 1);
 }
@@ -218,7 +198,8 @@ std::string scientific(double x) {
 }
 
 /// Sign (see jacobianSign) and ratio of the smallest to the largest coefficient of a block's determinant.
-template <int N> int signOf(const Bernstein &p, const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
+template <int N>
+int signOf(const Bernstein<kJacobian<N>> &p, const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
   const auto [low, high] = std::minmax_element(p.c.begin(), p.c.end());
   ratio = *high > 0 ? *low / *high : -1;
   // Rounding: each coefficient is a mean of at most 64 determinants of coordinate differences, each exact to
@@ -248,7 +229,7 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
     std::array<Vec<N>, 1 << N> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
       corners[k] = in.primal.positions[at(in.primal.blocks[at(b)].nodes[k])];
-    const Bernstein p = determinant<N>(corners);
+    const auto p = determinant<N>(corners);
     double ratio = 0;
     const int sign = signOf<N>(p, corners, ratio);
     certificate.worstCoefficient = std::min(certificate.worstCoefficient, ratio);

@@ -1,4 +1,6 @@
 // Check 3: the blocks by themselves form a conformal mesh with the topology of the domain.
+#include <tuple>
+
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
 #include "certificate/checks.h"
@@ -50,7 +52,7 @@ Index eulerByCounting(const ReferenceMesh<3> &mesh) {
       if (mesh.neighbors[at(s)][i] < s) ++faces; // outer ones, and inner ones from the later simplex
       for (int k = i + 1; k < 4; ++k) edges.push_back(sortedPair(v[i], v[k]));
     }
-  sortItems(edges);
+  sortByIndex(edges, mesh.nodes.size(), [](const auto &e) { return e[0]; });
   const auto last = std::unique(edges.begin(), edges.end());
   return toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true))) -
          static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
@@ -91,7 +93,7 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in, const Blo
           used[at(f[k])] = true;
           edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
         }
-      sortItems(edges);
+      sortByIndex(edges, mesh.nodes.size(), [](const auto &e) { return e[0]; });
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
     }
@@ -142,9 +144,9 @@ std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
         corners.push_back({node, s});
       }
     }
-  sortItems(fans, [](const Fan &a, const Fan &b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.corner < b.corner;
-  });
+  sortByIndex(
+      fans, mesh.nodes.size(), [](const Fan &f) { return f.edge[0]; },
+      [](const Fan &a, const Fan &b) { return std::tie(a.edge, a.corner) < std::tie(b.edge, b.corner); });
   DisjointSets sets(corners.size());
   for (std::size_t f = 0; f + 1 < fans.size(); ++f)
     if (fans[f].edge == fans[f + 1].edge) sets.unite(fans[f].corner, fans[f + 1].corner);
@@ -161,10 +163,6 @@ std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
 } // namespace
 
 template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
-  // A hexahedron's faces and edges (VTK order), a quad's sides.
-  static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-  static constexpr int kQuadSides[4][2] = {{3, 0}, {1, 2}, {0, 1}, {2, 3}};
   static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                         {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   BlockComplex<N> complex;
@@ -175,7 +173,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
     for (int f = 0; f < 2 * N; ++f) {
       BlockFace<N> face;
       for (std::size_t k = 0; k < face.cycle.size(); ++k)
-        face.cycle[k] = block.nodes[at(N == 3 ? kFaces[f][k] : kQuadSides[f][k])];
+        face.cycle[k] = block.nodes[at(faceCorner<N>(f, static_cast<int>(k)))];
       face.key = face.cycle;
       sortItems(face.key);
       face.block = b;
@@ -188,9 +186,11 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
       edges.push_back(sortedPair(block.nodes[at(u)], block.nodes[at(v)]));
     }
   }
-  sortItems(complex.faces, [](const BlockFace<N> &a, const BlockFace<N> &b) {
-    return a.key != b.key ? a.key < b.key : a.block < b.block;
-  });
+  sortByIndex(
+      complex.faces, at(in.primal.nodeCount), [](const BlockFace<N> &f) { return f.key[0]; },
+      [](const BlockFace<N> &a, const BlockFace<N> &b) {
+        return std::tie(a.key, a.block) < std::tie(b.key, b.block);
+      });
   complex.faceOf.resize(complex.faces.size());
   for (std::size_t f = 0; f < complex.faces.size(); ++f)
     complex.faceOf[at(2 * N * complex.faces[f].block + complex.faces[f].local)] = toIndex(f);
@@ -199,7 +199,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
     const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;
     if (!before && !after) complex.boundary.push_back(toIndex(f));
   }
-  sortItems(edges);
+  sortByIndex(edges, at(in.primal.nodeCount), [](const auto &e) { return e[0]; });
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (e == 0 || edges[e] != edges[e - 1]) {
       complex.edges.push_back(edges[e]);
@@ -228,7 +228,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       certificate.fail(Check::topology, "three blocks share a face",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
   }
-  sortItems(pairs);
+  sortByIndex(pairs, in.primal.blocks.size(), [](const auto &p) { return p[0]; });
   const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
   if (twice != pairs.end())
     certificate.fail(Check::topology, "two blocks share more than one face",
@@ -243,7 +243,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       else ridges.push_back(sortedPair(cycle[k], cycle[(k + 1) % 4]));
     }
   }
-  sortItems(ridges);
+  sortByIndex(ridges, at(in.primal.nodeCount), [](const auto &r) { return r[0]; });
   for (std::size_t begin = 0, end = 0; begin < ridges.size(); begin = end) {
     while (end < ridges.size() && ridges[end] == ridges[begin]) ++end;
     if (end - begin != 2)

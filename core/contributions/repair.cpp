@@ -25,39 +25,71 @@ template <int N> bool onPartBoundary(const Parts<N> &parts, Index node, Index pa
   return found != end && *found < parts.partSides.offsets[at(part) + 1];
 }
 
-/// Splits the inner edges between nodes that `belongs` accepts, in the given simplices; if there are none,
-/// the inner faces likewise, one per simplex.
-template <int N, typename Belongs>
-Index splitBetween(ReferenceMesh<N> &mesh, const std::vector<Index> &simplices, Belongs belongs) {
+/// Whether node k of simplex s is one of those that are to be torn apart: on the boundary of its part.
+template <int N> class PartBoundary {
+public:
+  PartBoundary(const ReferenceMesh<N> &mesh, const Parts<N> &parts)
+      : mesh_(mesh), parts_(parts), partOf_(parts.partOfSimplex) {}
+
+  bool has(Index s, Index node) const {
+    return node < parts_.nodeSides.count() && onPartBoundary(parts_, node, partOf_[at(s)]);
+  }
+
+  /// The simplices that are new are pieces of the part of s.
+  void addPiecesOf(Index s) { partOf_.resize(mesh_.simplices.size(), Index{partOf_[at(s)]}); }
+
+  /// Adds the pieces that have been split off the given simplices, which are those of whole parts.
+  void addPieces(std::vector<Index> &simplices) {
+    partOf_.resize(mesh_.simplices.size(), kNone);
+    for (std::size_t n = 0; n < simplices.size(); ++n)
+      for (int i = 0; i < N + 1; ++i) {
+        const Index s = simplices[n];
+        const Index t = mesh_.neighbors[at(s)][i];
+        if (t == kNone || mesh_.tags[at(s)][i] != kNone || partOf_[at(t)] != kNone) continue;
+        partOf_[at(t)] = partOf_[at(s)];
+        simplices.push_back(t);
+      }
+  }
+
+private:
+  const ReferenceMesh<N> &mesh_;
+  const Parts<N> &parts_;
+  std::vector<Index> partOf_;
+};
+
+/// Splits, in the simplices of whole parts, the inner edges between nodes of the boundary, then the inner
+/// faces of such nodes, of each simplex at most one.
+template <int N>
+Index fillBoundary(ReferenceMesh<N> &mesh, std::vector<Index> simplices, PartBoundary<N> boundary) {
   std::vector<std::pair<Index, Index>> edges;
   for (const Index s : simplices) {
     const auto &v = mesh.simplices[at(s)];
     for (int i = 0; i < N + 1; ++i)
       for (int k = i + 1; k < N + 1; ++k)
-        if (belongs(s, v[i]) && belongs(s, v[k]) && isInnerEdge(mesh, s, i, k))
+        if (boundary.has(s, v[i]) && boundary.has(s, v[k]) && isInnerEdge(mesh, s, i, k))
           edges.emplace_back(std::minmax(v[i], v[k]));
   }
-  const Index before = mesh.nodeCount();
+  const Index nodes = mesh.nodeCount();
   if (!edges.empty()) {
     splitEdges(mesh, std::move(edges));
-    return mesh.nodeCount() - before;
+    boundary.addPieces(simplices);
   }
-  std::vector<Index> changed;
-  for (const Index s : simplices)
+  // A new node is on no boundary, so the list, which grows by the pieces, comes to an end.
+  for (std::size_t n = 0; n < simplices.size(); ++n)
     for (int i = 0; i < N + 1; ++i) {
-      const Index t = mesh.neighbors[at(s)][i];
-      if (t == kNone || mesh.tags[at(s)][i] != kNone) continue;
+      const Index s = simplices[n];
+      if (mesh.neighbors[at(s)][i] == kNone || mesh.tags[at(s)][i] != kNone) continue;
       bool all = true;
-      for (int k = 0; k < N + 1; ++k) all &= k == i || belongs(s, mesh.simplices[at(s)][k]);
-      const auto isChanged = [&](Index x) {
-        return std::find(changed.begin(), changed.end(), x) != changed.end();
-      };
-      if (!all || isChanged(s) || isChanged(t)) continue;
-      changed.push_back(s);
-      changed.push_back(t);
+      for (int k = 0; k < N + 1; ++k) all &= k == i || boundary.has(s, mesh.simplices[at(s)][k]);
+      if (!all) continue;
+      simplices.insert(simplices.end(), {s, mesh.neighbors[at(s)][i]}); // what is left of them
+      const Index before = mesh.simplexCount();
       splitFace(mesh, FaceRef<N>{s, i});
+      for (Index piece = before; piece < mesh.simplexCount(); ++piece) simplices.push_back(piece);
+      boundary.addPiecesOf(s);
+      break;
     }
-  return mesh.nodeCount() - before;
+  return mesh.nodeCount() - nodes;
 }
 
 } // namespace
@@ -102,41 +134,12 @@ Index repairFullness(ReferenceMesh<N> &mesh, const Parts<N> &parts, const std::v
 
 template <int N>
 Index repairBubbles(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual) {
-  // Of the pieces that share a label, all but the largest are extra.
-  std::vector<Index> sizes(dual.pieces.size(), 0);
-  for (const Index piece : dual.pieceOf) ++sizes[at(piece)];
-  std::vector<bool> extra(dual.pieces.size(), false);
-  for (std::size_t k = 0; k < dual.surplus.size();) {
-    const Index first = dual.surplus[k] - 1;
-    Index largest = first;
-    Index last = first;
-    for (; k < dual.surplus.size() && dual.surplus[k] == last + 1; ++k) {
-      last = dual.surplus[k];
-      if (sizes[at(last)] > sizes[at(largest)]) largest = last;
-    }
-    for (Index p = first; p <= last; ++p)
-      if (p != largest && dual.pieces[at(p)].sides == dual.pieces[at(largest)].sides) extra[at(p)] = true;
-  }
-  // Around the extra cells first; where there is nothing to split, around all cells of their part.
-  std::vector<Index> around;
-  std::vector<Index> ofPart;
-  std::vector<bool> partHasExtra(parts.parts.size(), false);
-  for (std::size_t p = 0; p < extra.size(); ++p)
-    if (extra[p]) partHasExtra[at(dual.pieces[p].part)] = true;
-  for (Index s = 0; s < toIndex(dual.classOffset.size()) - 1; ++s) {
-    if (!partHasExtra[at(parts.partOfSimplex[at(s)])]) continue;
-    ofPart.push_back(s);
-    bool here = false;
-    for (Index c = dual.classOffset[at(s)]; c < dual.classOffset[at(s) + 1]; ++c)
-      here |= extra[at(dual.pieceOf[at(c)])];
-    if (here) around.push_back(s);
-  }
-  const Index nodes = parts.nodeSides.count();
-  const auto onBoundary = [&](Index s, Index node) {
-    return node < nodes && onPartBoundary(parts, node, parts.partOfSimplex[at(s)]);
-  };
-  const Index added = splitBetween(mesh, around, onBoundary);
-  return added > 0 ? added : splitBetween(mesh, ofPart, onBoundary);
+  std::vector<bool> hasBubble(parts.parts.size(), false);
+  for (const Index piece : dual.surplus) hasBubble[at(dual.pieces[at(piece)].part)] = true;
+  std::vector<Index> simplices;
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    if (hasBubble[at(parts.partOfSimplex[at(s)])]) simplices.push_back(s);
+  return fillBoundary(mesh, std::move(simplices), PartBoundary<N>(mesh, parts));
 }
 
 template Index repairFullness(ReferenceMesh<2> &, const Parts<2> &, const std::vector<NotFull> &);

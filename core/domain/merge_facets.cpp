@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
@@ -100,9 +101,13 @@ std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
         const Index b = loop[(k + 1) % loop.size()];
         uses.push_back({sortedPair(a, b), toIndex(f), a < b});
       }
-  sortItems(uses, [](const EdgeUse &a, const EdgeUse &b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.facet < b.facet;
-  });
+  Index last = 0;
+  for (const EdgeUse &use : uses) last = std::max(last, use.nodes[0]);
+  sortByIndex(
+      uses, at(last) + 1, [](const EdgeUse &use) { return use.nodes[0]; },
+      [](const EdgeUse &a, const EdgeUse &b) {
+        return std::tie(a.nodes, a.facet) < std::tie(b.nodes, b.facet);
+      });
   return uses;
 }
 

@@ -54,8 +54,9 @@ template <int N> bool labelLess(const CellPiece<N> &a, const CellPiece<N> &b) {
 
 template <int N> Index DualCells<N>::findPiece(Index part, const std::array<Index, N> &sides) const {
   const CellPiece<N> wanted{part, sides, kNone};
-  const auto found = std::lower_bound(pieces.begin(), pieces.end(), wanted, labelLess<N>);
-  if (found == pieces.end() || labelLess(wanted, *found)) return kNone;
+  const auto end = pieces.begin() + partOffset[at(part) + 1];
+  const auto found = std::lower_bound(pieces.begin() + partOffset[at(part)], end, wanted, labelLess<N>);
+  if (found == end || labelLess(wanted, *found)) return kNone;
   return toIndex(static_cast<std::size_t>(found - pieces.begin()));
 }
 
@@ -92,7 +93,9 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
     }
   std::vector<Index> order(unordered.size());
   std::iota(order.begin(), order.end(), 0);
-  sortItems(order, [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
+  sortByIndex(
+      order, parts.parts.size(), [&](Index p) { return unordered[at(p)].part; },
+      [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
   std::vector<Index> rank(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     rank[at(order[k])] = toIndex(k);
@@ -100,6 +103,9 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
     if (k > 0 && !labelLess(dual.pieces[k - 1], dual.pieces[k])) dual.surplus.push_back(toIndex(k));
   }
   for (Index &piece : dual.pieceOf) piece = rank[at(piece)];
+  dual.partOffset.assign(parts.parts.size() + 1, 0);
+  for (const CellPiece<N> &piece : dual.pieces) ++dual.partOffset[at(piece.part) + 1];
+  std::partial_sum(dual.partOffset.begin(), dual.partOffset.end(), dual.partOffset.begin());
 
   // Across the split surfaces: cells.
   DisjointSets cells(dual.pieces.size());

@@ -29,6 +29,7 @@ template <int N> struct DualCells {
   std::vector<Index> classOffset;   // per simplex, and one more: where its classes begin in pieceOf
   std::vector<Index> pieceOf;       // per (simplex, class of RegionTables): the cell piece
   std::vector<CellPiece<N>> pieces; // by part, then label; equal labels stand together
+  std::vector<Index> partOffset;    // per part, and one more: where its pieces begin
   Index cellCount = 0;
   std::vector<Index> surplus; // pieces whose label an earlier piece has: bubbles, condition (b)
   bool overfull = false;      // a region lies inside more than N D-bar-surfaces of a part

@@ -74,12 +74,14 @@ template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
   const PartOptions partOptions;
   Decomposition<N> result;
-  result.parts = uncut;
   Budget<N> budget(mesh);
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.cuts;
-    cutReflexCurves(mesh, result.parts, options, budget, result.cuts);
-    if (result.cuts == before) break;
+    cutReflexCurves(mesh, round == 0 ? uncut : result.parts, options, budget, result.cuts);
+    if (result.cuts == before) {
+      if (round == 0) result.parts = uncut;
+      break;
+    }
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {

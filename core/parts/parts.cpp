@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
@@ -14,6 +15,19 @@ template <int N> struct BoundaryFaces {
   std::vector<std::array<Index, N + 1>> indexOf; // per simplex and face, or kNone
   std::vector<std::array<Index, N + 1>> mates;   // per boundary face: across the ridge without vertex k
 };
+
+/// The vertex of a face that is not on the ridge of simplex s that its faces i and k share.
+template <int N> int offRidge(const ReferenceMesh<N> &mesh, Index s, int i, int k, const FaceRef<N> &face) {
+  const auto &ridge = mesh.simplices[at(s)];
+  for (int v = 0; v < N + 1; ++v) {
+    const Index node = mesh.simplices[at(face.simplex)][v];
+    if (v == face.face) continue;
+    bool onRidge = false;
+    for (int r = 0; r < N + 1; ++r) onRidge |= r != i && r != k && ridge[r] == node;
+    if (!onRidge) return v;
+  }
+  return -1; // no simplex has all of a face on one ridge
+}
 
 template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh) {
   BoundaryFaces<N> boundary;
@@ -30,9 +44,11 @@ template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh
   for (std::size_t f = 0; f < boundary.faces.size(); ++f)
     for (int k = 0; k < N + 1; ++k) {
       const auto [s, i] = boundary.faces[f];
-      if (k == i) continue;
+      if (k == i || boundary.mates[f][k] != kNone) continue;
       const FaceRef<N> mate = turnAroundRidge(mesh, s, i, k, kCrossNone, [](Index) {});
-      boundary.mates[f][k] = boundary.indexOf[at(mate.simplex)][mate.face];
+      const Index g = boundary.indexOf[at(mate.simplex)][mate.face];
+      boundary.mates[f][k] = g;
+      boundary.mates[at(g)][offRidge(mesh, s, i, k, mate)] = toIndex(f);
     }
   return boundary;
 }
@@ -75,38 +91,42 @@ template <int N> double ridgeLength(const ReferenceMesh<N> &mesh, const std::arr
 }
 
 template <int N> struct RidgeRecord {
-  Index part;
   std::array<Index, 2> sides;
   std::array<Index, N - 1> nodes;
-  RidgeFrame<N> frame;
-  double length;
+  Index face; // the boundary face on the first side, and its vertex off the ridge
+  int off;
 };
 
 /// Groups the ridges between different sides into curves and decides which are open chains.
-template <int N> std::vector<Curve<N>> buildCurves(std::vector<RidgeRecord<N>> &records) {
-  const auto byCurve = [](const RidgeRecord<N> &a, const RidgeRecord<N> &b) {
-    if (a.part != b.part) return a.part < b.part;
-    if (a.sides != b.sides) return a.sides < b.sides;
-    return a.nodes < b.nodes;
-  };
-  sortItems(records, byCurve);
+template <int N>
+std::vector<Curve<N>> buildCurves(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                                  const BoundaryFaces<N> &boundary, std::vector<RidgeRecord<N>> &records) {
+  // Sides are numbered part by part.
+  sortByIndex(
+      records, parts.sides.size(), [](const RidgeRecord<N> &r) { return r.sides[0]; },
+      [](const RidgeRecord<N> &a, const RidgeRecord<N> &b) {
+        return std::tie(a.sides, a.nodes) < std::tie(b.sides, b.nodes);
+      });
   std::vector<Curve<N>> curves;
   std::vector<Index> ends;
   for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
     const RidgeRecord<N> &first = records[begin];
-    Curve<N> curve{first.part, first.sides, {}, {}, first.frame.angle, true};
-    double longest = 0;
+    while (end < records.size() && records[end].sides == first.sides) ++end;
+    Curve<N> curve{parts.sides[at(first.sides[0])].part, first.sides, {}, {}, 0, true};
+    curve.ridges.reserve(end - begin);
+    curve.frames.reserve(end - begin);
+    double longest = -1;
     ends.clear();
-    for (end = begin;
-         end < records.size() && records[end].part == first.part && records[end].sides == first.sides;
-         ++end) {
-      const RidgeRecord<N> &r = records[end];
+    for (std::size_t k = begin; k < end; ++k) {
+      const RidgeRecord<N> &r = records[k];
+      const Index mate = boundary.mates[at(r.face)][r.off];
       curve.ridges.push_back(r.nodes);
-      curve.frames.push_back(r.frame);
+      curve.frames.push_back(frameAt(mesh, boundary.faces[at(r.face)], r.off, boundary.faces[at(mate)]));
       ends.insert(ends.end(), r.nodes.begin(), r.nodes.end());
-      if (r.length > longest) { // short ridges have the worst rounding
-        longest = r.length;
-        curve.angle = r.frame.angle;
+      const double length = ridgeLength<N>(mesh, r.nodes);
+      if (length > longest) { // short ridges have the worst rounding
+        longest = length;
+        curve.angle = curve.frames.back().angle;
       }
     }
     if constexpr (N == 3) {
@@ -143,7 +163,9 @@ template <int N> std::vector<Corner> buildCorners(const Parts<N> &parts, Index n
       list = next;
     }
   }
-  sortItems(corners, [](const Corner &a, const Corner &b) { return a.part < b.part; });
+  sortByIndex(
+      corners, parts.parts.size(), [](const Corner &c) { return c.part; },
+      [](const Corner &a, const Corner &b) { return a.part < b.part; });
   return corners;
 }
 
@@ -264,7 +286,8 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   for (Index f = 0; f < toIndex(boundary.faces.size()); ++f)
     if (joined.find(f) == f) roots.push_back(f);
   const auto partOfFace = [&](Index f) { return parts.partOfSimplex[at(boundary.faces[at(f)].simplex)]; };
-  sortItems(roots, [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
+  sortByIndex(roots, at(partCount), partOfFace,
+              [&](Index a, Index b) { return partOfFace(a) < partOfFace(b); });
   std::vector<Index> sideOf(boundary.faces.size());
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto [s, i] = boundary.faces[at(roots[k])];
@@ -294,7 +317,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
     for (int v = 0; v < N + 1; ++v)
       if (v != boundary.faces[f].face)
         incidences.emplace_back(mesh.simplices[at(boundary.faces[f].simplex)][v], sideOf[f]);
-  sortItems(incidences);
+  sortByIndex(incidences, mesh.nodes.size(), [](const auto &i) { return i.first; });
   incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
   std::size_t next = 0;
   for (Index node = 0; node < mesh.nodeCount(); ++node) {
@@ -310,15 +333,10 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
       if (k == boundary.faces[f].face) continue;
       const Index mate = boundary.mates[f][k];
       if (sideOf[f] >= sideOf[at(mate)]) continue; // each ridge is met from both of its faces
-      RidgeRecord<N> record;
-      record.part = partOfFace(toIndex(f));
-      record.sides = {sideOf[f], sideOf[at(mate)]};
-      record.nodes = ridgeNodes(mesh, boundary.faces[f], k);
-      record.frame = frameAt(mesh, boundary.faces[f], k, boundary.faces[at(mate)]);
-      record.length = ridgeLength<N>(mesh, record.nodes);
-      records.push_back(record);
+      records.push_back(
+          {{sideOf[f], sideOf[at(mate)]}, ridgeNodes(mesh, boundary.faces[f], k), toIndex(f), k});
     }
-  parts.curves = buildCurves<N>(records);
+  parts.curves = buildCurves(mesh, parts, boundary, records);
   parts.corners = buildCorners(parts, mesh.nodeCount());
   linkOpposites(mesh, parts, boundary, sideOf);
   judgeParts(parts, boundary, sideOf);

@@ -1,7 +1,8 @@
 #include "primal/primal.h"
 
-#include "base/sort.h"
 #include <tuple>
+
+#include "base/sort.h"
 
 namespace dualblock {
 namespace {
@@ -19,8 +20,10 @@ bool operator==(const PrimalFace &a, const PrimalFace &b) {
   return a.nodes == b.nodes && a.surfaces == b.surfaces;
 }
 
-template <typename T> void sortUnique(std::vector<T> &items) {
-  sortItems(items, [](const T &a, const T &b) { return a < b; });
+template <typename T> void sortUnique(std::vector<T> &items, Index nodeCount) {
+  sortByIndex(
+      items, at(nodeCount), [](const T &item) { return item.nodes[0]; },
+      [](const T &a, const T &b) { return a < b; });
   items.erase(std::unique(items.begin(), items.end(), [](const T &a, const T &b) { return a == b; }),
               items.end());
 }
@@ -68,7 +71,7 @@ public:
         if (edgeTo_[p][k] != kNone)
           list.push_back(makeEdge(dual_.pieces[p].cell, dual_.pieces[at(edgeTo_[p][k])].cell,
                                   surfaces_.ofSide[at(dual_.pieces[p].sides[k])]));
-    sortUnique(list);
+    sortUnique(list, dual_.cellCount);
     return list;
   }
 
@@ -91,7 +94,7 @@ public:
                                   surfaces_.ofSide[at(inner.sides[at(a)])],
                                   surfaces_.ofSide[at(inner.sides[at(b)])]));
         }
-    sortUnique(list);
+    sortUnique(list, dual_.cellCount);
     return list;
   }
 
@@ -243,8 +246,8 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
         }
       }
   }
-  sortUnique(blockEdges);
-  sortUnique(blockFaces);
+  sortUnique(blockEdges, primal.nodeCount);
+  sortUnique(blockFaces, primal.nodeCount);
 
   // From the dual.
   DualWalk<N> walk(dual, surfaces);

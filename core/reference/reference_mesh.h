@@ -11,6 +11,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/sort.h"
 #include "reference/cut_field.h"
@@ -227,9 +228,9 @@ template <int N> void connect(ReferenceMesh<N> &mesh) {
       mesh.nodeSimplex[at(mesh.simplices[at(s)][i])] = s;
     }
   }
-  sortItems(halves, [](const Half &a, const Half &b) {
-    return a.key != b.key ? a.key < b.key : a.simplex < b.simplex;
-  });
+  sortByIndex(
+      halves, mesh.nodes.size(), [](const Half &h) { return h.key[0]; },
+      [](const Half &a, const Half &b) { return std::tie(a.key, a.simplex) < std::tie(b.key, b.simplex); });
   for (std::size_t h = 0; h + 1 < halves.size(); ++h) {
     if (halves[h].key != halves[h + 1].key) continue;
     mesh.neighbors[at(halves[h].simplex)][halves[h].face] = halves[h + 1].simplex;

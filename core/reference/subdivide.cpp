@@ -1,4 +1,7 @@
 #include "reference/subdivide.h"
+
+#include <tuple>
+
 #include "base/sort.h"
 
 namespace dualblock {
@@ -68,7 +71,7 @@ public:
     for (const Index s : affected_)
       for (int i = 0; i < N + 1; ++i) halves_.push_back({mesh_.sortedFace(s, i), s, i});
     sortItems(halves_, [](const HalfFace &a, const HalfFace &b) {
-      return a.key != b.key ? a.key < b.key : a.simplex < b.simplex;
+      return std::tie(a.key, a.simplex) < std::tie(b.key, b.simplex);
     });
     for (std::size_t h = 0; h + 1 < halves_.size(); ++h) {
       if (halves_[h].key != halves_[h + 1].key) continue;

@@ -16,7 +16,7 @@ std::vector<std::pair<Index, Index>> pinchedEdges(const ReferenceMesh<3> &mesh) 
       const std::array<Index, 3> f = mesh.sortedFace(s, i);
       edges.insert(edges.end(), {{f[0], f[1]}, {f[0], f[2]}, {f[1], f[2]}});
     }
-  sortItems(edges);
+  sortByIndex(edges, mesh.nodes.size(), [](const auto &e) { return e.first; });
   std::vector<std::pair<Index, Index>> pinched;
   for (std::size_t e = 2; e < edges.size(); ++e)
     if (edges[e] == edges[e - 2] && (pinched.empty() || pinched.back() != edges[e]))
