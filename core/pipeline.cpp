@@ -10,7 +10,6 @@
 #include "domain/intersections.h"
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
-#include "parts/fallback.h"
 
 namespace dualblock {
 namespace {
@@ -99,48 +98,6 @@ template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
   clock.start("certificate", 0.9);
   r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
                               r.dual, r.surfaces, r.primal, r.domain.deviation});
-}
-
-/// The source of each component's parts: the one that gives fewest blocks, cuts before others. `limits`:
-/// blocks of the reference simplices, empty where cuts serve all that they should.
-template <int N>
-std::vector<PartSource> chooseSources(PipelineResult<N> &r, const Decomposition<N> &decomposition,
-                                      const std::vector<double> &limits) {
-  std::string &reason = r.fallbackReason;
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
-  std::vector<double> cuts(at(r.mesh.componentCount), 0);
-  for (const Corner &corner : r.parts.corners) cuts[at(component[at(corner.part)])] += 1;
-  for (std::size_t p = 0; p < r.parts.parts.size(); ++p) {
-    if (r.parts.parts[p].simple) continue;
-    if (reason.empty()) reason = "a part could not be made simple: " + r.parts.parts[p].why;
-    cuts[at(component[p])] = kNever;
-  }
-  std::vector<PartSource> source(cuts.size(), PartSource::cuts);
-  for (std::size_t c = 0; c < cuts.size(); ++c) {
-    if (decomposition.gaveUp[c]) {
-      cuts[c] = kNever;
-      reason = "cuts would give more blocks, or many times more simplices, than the reference mesh has";
-    }
-    const double pulled = decomposition.pulled ? decomposition.pulled->blocks[c] : kNever;
-    const double simplices = limits.empty() ? kNever : limits[c];
-    const auto count = [&](std::size_t k, double blocks) {
-      r.alternatives[k] = std::max(r.alternatives[k], 0.0) + blocks;
-    };
-    count(0, cuts[c]);
-    if (decomposition.pulled) count(1, pulled);
-    if (!limits.empty()) count(2, simplices);
-    if (cuts[c] < kNever && cuts[c] <= std::min(pulled, simplices)) continue;
-    source[c] = pulled < kNever && pulled <= simplices ? PartSource::pulled : PartSource::simplices;
-    if (reason.empty()) reason = "the cut parts would give more blocks than simplices";
-  }
-  return source;
-}
-
-template <int N> std::vector<double> fallbackBlocks(const ReferenceMesh<N> &coarse) {
-  std::vector<double> blocks(at(coarse.componentCount), 0);
-  for (const Index c : coarse.component) blocks[at(c)] += N + 1;
-  return blocks;
 }
 
 /// The components of what the certificate's failures name, of those that can still change; all of them where
@@ -254,20 +211,10 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   r.featureKinds = classifyFeatures(r.features);
 
   clock.start("parts", 0.35);
-  DecomposeOptions decomposeOptions;
-  decomposeOptions.tolerance = options.tolerance * r.mesh.size + 2 * r.domain.deviation;
-  decomposeOptions.facetSurfaces = toIndex(domain.facets.size());
-  std::vector<double> limits; // per component: blocks of the fallback
-  const auto limitOf = [&](Index component) {
-    if (limits.empty()) {
-      const ReferenceMesh<N> *const mesh = needCoarse();
-      limits = mesh ? fallbackBlocks(*mesh)
-                    : std::vector<double>(at(r.mesh.componentCount), std::numeric_limits<double>::infinity());
-    }
-    return limits[at(component)];
-  };
-  decomposeOptions.blockLimit = limitOf;
-  Decomposition<N> decomposition = decompose(r.mesh, r.features, decomposeOptions);
+  const CutOptions cutOptions{options.tolerance * r.mesh.size + 2 * r.domain.deviation,
+                              toIndex(domain.facets.size())};
+  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
+  Decomposition<N> &decomposition = choice.decomposition;
   r.parts = std::move(decomposition.parts);
   r.cuts = decomposition.cuts;
   r.vertexCuts = decomposition.vertexCuts;
@@ -278,13 +225,11 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   r.features.nodeSides = {};
   r.features.sideFaces = {};
 
-  // Components that the cuts cannot serve get simplices for parts; so do those, later, that the certificate
-  // blames.
-  if (std::find(decomposition.gaveUp.begin(), decomposition.gaveUp.end(), true) != decomposition.gaveUp.end())
-    limitOf(0);
-  if (std::any_of(r.parts.parts.begin(), r.parts.parts.end(), [](const PartInfo &p) { return !p.simple; }))
-    limitOf(0);
-  std::vector<PartSource> source = chooseSources(r, decomposition, limits);
+  r.fallbackReason = std::move(choice.whySimplices);
+  r.alternatives = choice.alternatives;
+  r.cutTrials = std::move(choice.trials);
+  std::vector<PartSource> source =
+      std::move(choice.source); // changes where the certificate blames a component
   const auto count = [&](PartSource wanted) {
     return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
   };

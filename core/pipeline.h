@@ -5,7 +5,7 @@
 
 #include "certificate/certificate.h"
 #include "domain/prepare.h"
-#include "parts/decompose.h"
+#include "parts/choose.h"
 #include "parts/features.h"
 #include "reference/fill.h"
 
@@ -46,9 +46,8 @@ template <int N> struct PipelineResult {
   Index pulledComponents = 0;   // components where only parts that are not simple became simplices
   Index pulledParts = 0;        // those parts
   std::string fallbackReason;
-  /// Blocks that cuts alone, the confined fallback and the reference simplices would give, as far as they
-  /// were counted to choose between them: infinity where they give no valid mesh, below 0 where nobody asked.
-  std::array<double, 3> alternatives{-1, -1, -1};
+  std::array<double, 3> alternatives{-1, -1, -1}; // PartChoice
+  std::vector<CutTrial> cutTrials;
   Parts<N> parts;
   Contributions<N> contributions;
   DualCells<N> dual;

@@ -1,5 +1,6 @@
 #include "parts/decompose.h"
 
+#include "base/sort.h"
 #include "parts/bent_cuts.h"
 #include "parts/corner_cuts.h"
 #include "parts/reflex_cuts.h"
@@ -16,15 +17,17 @@ constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help co
 /// would give more blocks than the fallback, that is cheaper and no worse.
 template <int N> class Budget {
 public:
-  explicit Budget(const ReferenceMesh<N> &mesh) : gaveUp(at(mesh.componentCount), false) {
+  /// `limit`: of the mesh's simplices; 0: none.
+  Budget(const ReferenceMesh<N> &mesh, Index limit) : gaveUp(at(mesh.componentCount), false), limit_(limit) {
     for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
   }
 
   /// `share`: of the whole budget that may be spent so far.
   void update(const ReferenceMesh<N> &mesh, double share = 1) {
     const std::vector<Index> now = sizes(mesh);
+    const bool isTooLarge = limit_ > 0 && mesh.simplexCount() > limit_;
     for (std::size_t c = 0; c < now.size(); ++c)
-      if (now[c] > share * limits_[c]) gaveUp[c] = true;
+      if (isTooLarge || now[c] > share * limits_[c]) gaveUp[c] = true;
   }
 
   void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
@@ -49,22 +52,49 @@ private:
     for (const Index c : mesh.component) ++count[at(c)];
     return count;
   }
-  std::vector<Index> limits_;
+  std::vector<Index> limits_; // per component
+  Index limit_;
 };
+
+/// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
+/// serve several curves, the first one decides.
+template <int N> void sortByPlace(const ReferenceMesh<N> &mesh, std::vector<const Curve<N> *> &curves) {
+  using Point = std::array<double, N>;
+  std::vector<std::pair<std::array<Point, 2>, const Curve<N> *>> order;
+  for (const Curve<N> *curve : curves) {
+    std::vector<Point> points;
+    for (const auto &ridge : curve->ridges)
+      for (const Index node : ridge) {
+        Point &x = points.emplace_back();
+        for (int k = 0; k < N; ++k) x[at(k)] = mesh.nodes[at(node)][k];
+      }
+    const auto [low, high] = std::minmax_element(points.begin(), points.end());
+    order.push_back({{*low, *high}, curve});
+  }
+  sortItems(order, [](const auto &a, const auto &b) { return a.first < b.first; });
+  for (std::size_t k = 0; k < order.size(); ++k) curves[k] = order[k].second;
+}
 
 /// One round of rule 1.
 template <int N>
 void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const DecomposeOptions &options,
                      Budget<N> &budget, Index &cuts) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
+  const auto policyOf = [&](const Curve<N> &curve) {
+    return options.policies.empty() ? CutPolicy{} : options.policies[at(component[at(curve.part)])];
+  };
+  std::vector<const Curve<N> *> wanting;
+  for (const Curve<N> &curve : parts.curves)
+    if (policyOf(curve).wantsCut(curve.angle)) wanting.push_back(&curve);
+  if (!options.policies.empty()) sortByPlace(mesh, wanting);
   Index lastCount = mesh.simplexCount();
-  for (const Curve<N> &curve : parts.curves) {
-    if (!wantsCut(curve.angle) || budget.gaveUp[at(component[at(curve.part)])]) continue;
+  for (const Curve<N> *curve : wanting) {
+    if (budget.gaveUp[at(component[at(curve->part)])]) continue;
     if (mesh.simplexCount() > 2 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }
-    cuts += cutReflexCurve<N>(mesh, curve, options);
+    cuts += cutReflexCurve<N>(mesh, *curve, wanting, policyOf(*curve).snap, options);
   }
 }
 
@@ -74,7 +104,7 @@ template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
   const PartOptions partOptions;
   Decomposition<N> result;
-  Budget<N> budget(mesh);
+  Budget<N> budget(mesh, options.simplexLimit);
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.cuts;
     cutReflexCurves(mesh, round == 0 ? uncut : result.parts, options, budget, result.cuts);

@@ -61,11 +61,31 @@ std::vector<bool> closureOf(const Parts<3> &parts, const std::vector<std::vector
   return inside;
 }
 
+/// The order in which corners are pulled: where most sides of the parts meet first, for a part becomes as
+/// many simplices as it has triangles that miss its apex.
+class PullOrder {
+public:
+  PullOrder(const Parts<3> &parts, const std::vector<std::vector<Index>> &polygons,
+            const std::vector<bool> &simplify, std::size_t nodeCount)
+      : valence_(nodeCount, 0) {
+    for (std::size_t side = 0; side < polygons.size(); ++side)
+      if (simplify[at(parts.sides[side].part)])
+        for (const Index node : polygons[side]) ++valence_[at(node)];
+  }
+  bool operator()(Index a, Index b) const {
+    return valence_[at(a)] != valence_[at(b)] ? valence_[at(a)] > valence_[at(b)] : a < b;
+  }
+
+private:
+  std::vector<Index> valence_;
+};
+
 } // namespace
 
 PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
   const std::vector<std::vector<Index>> polygons = sidePolygons(parts);
   const std::vector<bool> simplify = closureOf(parts, polygons);
+  const PullOrder isBefore(parts, polygons, simplify, mesh.nodes.size());
   const std::vector<Index> component = componentOfParts(mesh, parts);
   PulledMesh result;
   result.blocks.assign(at(mesh.componentCount), 0);
@@ -90,24 +110,25 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
   for (Index p = 0; p < toIndex(parts.parts.size()); ++p) {
     const std::size_t c = at(component[at(p)]);
     const auto cannot = [&] { result.blocks[c] = std::numeric_limits<double>::infinity(); };
-    Index apex = std::numeric_limits<Index>::max();
+    Index apex = kNone;
     std::size_t corners = 0;
     for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
       const auto &polygon = polygons[at(*side)];
       const Surface<3> &surface = mesh.surfaces[at(FaceTag::surface(parts.sides[at(*side)].tag))];
       const bool split = surface.kind != SurfaceKind::facet;
       if (polygon.empty() || surface.bent || (split && parts.sides[at(*side)].opposite == kNone)) cannot();
-      for (const Index node : polygon) apex = std::min(apex, node);
+      for (const Index node : polygon)
+        if (apex == kNone || isBefore(node, apex)) apex = node;
       corners += polygon.size();
     }
     if (result.blocks[c] == std::numeric_limits<double>::infinity()) continue;
-    // Pulling: each side from its lowest corner, the part from its own; so neighbours divide a common side
-    // alike.
+    // Pulling: each side from its first corner in the order, the part from its own; so neighbours divide a
+    // common side alike.
     tagOf.clear();
     std::vector<std::array<Index, 4>> simplices;
     for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
       std::vector<Index> cycle = polygons[at(*side)];
-      std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+      std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), isBefore), cycle.end());
       for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
         std::array<Index, 3> face{cycle[0], cycle[k], cycle[k + 1]};
         sortItems(face);

@@ -7,6 +7,7 @@
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
 #include "parts/ridge.h"
+#include "parts/sectors.h"
 #include "reference/cut.h"
 #include "reference/patches.h"
 #include "reference/refine.h"
@@ -17,7 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
-constexpr double kLargestAngle = 170 * pi / 180;
 
 /// Whether the plane already is a split surface at this ridge.
 template <int N>
@@ -79,7 +79,7 @@ std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, c
 template <int N>
 Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
                           const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
-  const auto planeAt = [&](std::size_t k) {
+  const auto planeOf = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
     const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
     const auto facet = [&](std::size_t side) {
@@ -87,10 +87,9 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
     };
     if (std::abs(direction - pi) < kSamePlane) return facet(0);
     if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
-    return planeThrough(mesh.nodes[at(curve.ridges[k].front())],
-                        std::sin(direction) * frame.into + std::cos(direction) * frame.outward);
+    return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame, direction);
   };
-  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[run[0]].tags[0]), planeAt(run[0])};
+  Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[run[0]].tags[0]), planeOf(run[0])};
   if constexpr (N == 3) {
     for (const std::size_t k : run)
       for (const Index node : curve.ridges[k])
@@ -100,7 +99,7 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
     std::vector<Plane<N>> planes;
     for (const std::size_t k : run) {
       segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
-      planes.push_back(planeAt(k));
+      planes.push_back(planeOf(k));
     }
     surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
   }
@@ -144,7 +143,8 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
 /// Cuts along one sector plane of one run. Returns whether there was something to cut.
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
-            std::size_t sector, const CutOptions &options) {
+            std::size_t sector, std::span<const Curve<N> *const> others, double snap,
+            const CutOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
   if (surface.field) resolve(mesh, *surface.field, options.tolerance);
   const auto [f, g] = curve.frames[run[0]].tags;
@@ -156,6 +156,13 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
       surface.plane = *beyond;
   if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
     return false;
+  if (!surface.field && snap > 0) {
+    const RidgeFrame<N> &frame = curve.frames[run[0]];
+    const DirectionRange range = rangeOfSector(curveKind(curve.angle), frame.angle, sector, snap);
+    if (isCutWithin(mesh, *ridge, frame, range, options.facetSurfaces)) return false;
+    if (const auto shared = sharedPlane(mesh, curve, run[0], range, others, options.tolerance))
+      surface.plane = *shared;
+  }
   const Index number = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back(std::move(surface));
   const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
@@ -166,32 +173,20 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
 
 } // namespace
 
-bool wantsCut(double angle) { return angle > kLargestAngle; }
-
-std::vector<double> sectorPlanes(CurveKind kind, double angle) {
-  switch (kind) {
-  case CurveKind::end: return {};
-  case CurveKind::side: return {angle / 2};
-  case CurveKind::corner: // the planes of both facets: sectors of angle - 180, 360 - angle and angle - 180
-                          // degrees
-    return {pi, angle - pi};
-  case CurveKind::reversal: // two whole planes: the bisector, and one across it that runs on beyond the curve
-    return {angle / 2, (angle - pi) / 2};
-  }
-  return {};
-}
-
 template <int N>
-Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const CutOptions &options) {
+Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
+                     double snap, const CutOptions &options) {
   Index cuts = 0;
   const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
   for (const auto &run : smoothRuns(mesh, curve))
     for (std::size_t sector = 0; sector < sectors; ++sector)
-      if (cutRun(mesh, curve, run, sector, options)) ++cuts;
+      if (cutRun(mesh, curve, run, sector, others, snap, options)) ++cuts;
   return cuts;
 }
 
-template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, const CutOptions &);
-template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, const CutOptions &);
+template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>, double,
+                              const CutOptions &);
+template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>, double,
+                              const CutOptions &);
 
 } // namespace dualblock

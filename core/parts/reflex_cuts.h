@@ -1,24 +1,22 @@
 // Cuts through reflex and flat curves (ARCHITECTURE.md 3, rule 1).
 #pragma once
 
+#include <span>
+
 #include "parts/cut_options.h"
 #include "parts/features.h"
 
 namespace dualblock {
 
-/// A block cannot fill a flat corner, and badly what is nearly flat: curves of more than 170 degrees want a
-/// cut.
-bool wantsCut(double angle);
-
-/// Cuts along every sector plane of the curve that is not cut already. Returns the number of cuts.
+/// Cuts along every sector plane of the curve that is not cut already. A plane may turn by up to `snap`
+/// (radians) where it then serves one of the `others`, too. Returns the number of cuts.
 template <int N>
-Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, const CutOptions &options);
+Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
+                     double snap, const CutOptions &options);
 
-/// Directions of the planes through a reflex curve of interior angle `angle`, as angles from its first
-/// side: 1 for 2 sectors, 2 for 3 or 4 (paper 2.4; ARCHITECTURE.md 3, rule 1).
-std::vector<double> sectorPlanes(CurveKind kind, double angle);
-
-extern template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, const CutOptions &);
-extern template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, const CutOptions &);
+extern template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>,
+                                     double, const CutOptions &);
+extern template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>,
+                                     double, const CutOptions &);
 
 } // namespace dualblock

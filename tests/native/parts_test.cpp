@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parts/reflex_cuts.h"
+#include "parts/sectors.h"
 #include "support/examples.h"
 
 namespace dualblock::test {

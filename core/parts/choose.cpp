@@ -1,0 +1,224 @@
+#include "parts/choose.h"
+
+#include <cmath>
+#include <limits>
+
+namespace dualblock {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr Index kCheap = 10000;    // simplices, up to which other policies are tried
+constexpr double kGoodSine = 0.17; // of 10 and 170 degrees: what is less distorted needs no more blocks
+constexpr double kAngle = 178 * std::numbers::pi / 180;
+constexpr double kSnap = std::numbers::pi / 8;
+
+/// The smallest sine of an angle between two faces.
+template <int N> double smallestSine(const ReferenceMesh<N> &mesh, Index s) {
+  std::array<Vec<N>, N + 1> normals;
+  for (int i = 0; i < N + 1; ++i) normals[at(i)] = mesh.faceNormal(s, i);
+  double largest = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (std::size_t k = i + 1; k < normals.size(); ++k)
+      largest = std::max(largest, std::abs(glm::dot(normals[i], normals[k])));
+  return std::sqrt(std::max(0.0, 1 - largest * largest));
+}
+
+/// Blocks of a component, and the smallest sine of an angle in its parts.
+struct Score {
+  double blocks = 0;
+  double worstSine = 1;
+
+  /// Fewer blocks, but not so much worse; or as many and better.
+  bool isBetterThan(const Score &o) const {
+    if (blocks < o.blocks) return worstSine >= std::min(kGoodSine, 0.5 * o.worstSine);
+    return blocks == o.blocks && blocks < kNever && worstSine > o.worstSine + 1e-9;
+  }
+};
+
+/// A policy's result for the whole domain.
+template <int N> struct Trial {
+  CutPolicy policy;
+  ReferenceMesh<N> mesh;
+  Decomposition<N> decomposition;
+  std::array<std::vector<Score>, 3> scores; // by PartSource, per component
+  bool hasSimplices = false;                // the third were asked for
+  std::vector<PartSource> source;
+  std::vector<Score> best;
+
+  void choose() {
+    source.assign(scores[0].size(), PartSource::cuts);
+    best = scores[0];
+    for (std::size_t c = 0; c < source.size(); ++c) // cuts before others, where they give no more blocks
+      for (const PartSource other : {PartSource::pulled, PartSource::simplices})
+        if (const Score &score = scores[static_cast<std::size_t>(other)][c]; score.blocks < best[c].blocks) {
+          best[c] = score;
+          source[c] = other;
+        }
+  }
+};
+
+template <int N> class Chooser {
+public:
+  Chooser(const Parts<N> &uncut, const CutOptions &options, const CoarseMesh<N> &coarse,
+          std::size_t components)
+      : uncut_(uncut), components_(components), coarse_(coarse) {
+    static_cast<CutOptions &>(options_) = options;
+    options_.blockLimit = [this](Index c) { return simplices()[at(c)].blocks; };
+  }
+
+  /// Cuts the mesh by a policy per component.
+  Trial<N> run(ReferenceMesh<N> mesh, std::vector<CutPolicy> policies, Index simplexLimit) {
+    Trial<N> trial;
+    trial.policy = policies.empty() ? CutPolicy{} : policies[0];
+    options_.policies = std::move(policies);
+    options_.simplexLimit = simplexLimit;
+    trial.mesh = std::move(mesh);
+    trial.decomposition = decompose(trial.mesh, uncut_, options_);
+    trial.scores = {ofCuts(trial), ofPulled(trial), std::vector<Score>(components_, {kNever, 0})};
+    trial.hasSimplices = !simplices_.empty(); // where vertices had to be cut
+    for (const Score &score : trial.scores[0]) trial.hasSimplices |= score.blocks == kNever;
+    if (trial.hasSimplices) trial.scores[2] = simplices();
+    trial.choose();
+    return trial;
+  }
+
+private:
+  std::vector<Score> ofCuts(const Trial<N> &trial) const {
+    const Parts<N> &parts = trial.decomposition.parts;
+    const std::vector<Index> component = componentOfParts(trial.mesh, parts);
+    std::vector<Score> scores(components_);
+    for (const Corner &corner : parts.corners) scores[at(component[at(corner.part)])].blocks += 1;
+    for (const Curve<N> &curve : parts.curves) {
+      double &worst = scores[at(component[at(curve.part)])].worstSine;
+      worst = std::min(worst, std::sin(curve.angle));
+    }
+    for (std::size_t p = 0; p < parts.parts.size(); ++p)
+      if (!parts.parts[p].simple) scores[at(component[p])].blocks = kNever;
+    for (std::size_t c = 0; c < components_; ++c)
+      if (trial.decomposition.gaveUp[c]) scores[c].blocks = kNever;
+    return scores;
+  }
+
+  std::vector<Score> ofPulled(const Trial<N> &trial) const {
+    std::vector<Score> scores(components_, {kNever, 1});
+    if constexpr (N == 3)
+      if (const auto &pulled = trial.decomposition.pulled) {
+        for (std::size_t c = 0; c < components_; ++c) scores[c].blocks = pulled->blocks[c];
+        for (Index s = 0; s < pulled->mesh.simplexCount(); ++s) {
+          double &worst = scores[at(pulled->mesh.component[at(s)])].worstSine;
+          if (pulled->everyFace[at(s)]) worst = std::min(worst, smallestSine(pulled->mesh, s));
+        }
+      }
+    return scores;
+  }
+
+  /// Of the coarsest reference mesh, each simplex a part.
+  const std::vector<Score> &simplices() {
+    if (!simplices_.empty()) return simplices_;
+    const ReferenceMesh<N> *const mesh = coarse_();
+    simplices_.assign(components_, {mesh ? 0 : kNever, 1});
+    if (!mesh) return simplices_;
+    for (Index s = 0; s < mesh->simplexCount(); ++s) {
+      Score &score = simplices_[at(mesh->component[at(s)])];
+      score.blocks += N + 1;
+      score.worstSine = std::min(score.worstSine, smallestSine(*mesh, s));
+    }
+    return simplices_;
+  }
+
+  const Parts<N> &uncut_;
+  std::size_t components_;
+  DecomposeOptions options_;
+  const CoarseMesh<N> &coarse_;
+  std::vector<Score> simplices_;
+};
+
+/// The policies that may make a difference.
+template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
+  const CutPolicy standard;
+  bool isFlat = false;
+  Index wanting = 0;
+  for (const Curve<N> &curve : uncut.curves) {
+    if (!standard.wantsCut(curve.angle)) continue;
+    ++wanting;
+    isFlat |= curve.angle <= kAngle;
+  }
+  std::vector<CutPolicy> policies{standard};
+  if (wanting > 1) policies.push_back({standard.largestAngle, kSnap});
+  if (isFlat) policies.push_back({kAngle, 0});
+  if (isFlat && wanting > 1) policies.push_back({kAngle, kSnap});
+  return policies;
+}
+
+/// Says why the first component that does without cuts does so, and what there was to choose from.
+template <int N> void explain(const Trial<N> &trial, PartChoice<N> &choice) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool asked = k == 0 || (k == 1 ? trial.decomposition.pulled.has_value() : trial.hasSimplices);
+    for (const Score &score : trial.scores[k])
+      if (asked) choice.alternatives[k] = std::max(choice.alternatives[k], 0.0) + score.blocks;
+  }
+  const Parts<N> &parts = trial.decomposition.parts;
+  for (std::size_t c = 0; c < trial.source.size() && choice.whySimplices.empty(); ++c) {
+    if (trial.source[c] == PartSource::cuts) continue;
+    choice.whySimplices = "the cut parts would give more blocks than simplices";
+    if (trial.scores[0][c].blocks < kNever) continue;
+    choice.whySimplices =
+        "cuts would give more blocks, or many times more simplices, than the reference mesh has";
+    if (trial.decomposition.gaveUp[c]) continue;
+    for (const PartInfo &part : parts.parts)
+      if (!part.simple) choice.whySimplices = "a part could not be made simple: " + part.why;
+  }
+}
+
+} // namespace
+
+template <int N>
+PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
+                          const CoarseMesh<N> &coarse) {
+  const std::size_t components = at(mesh.componentCount);
+  Chooser<N> chooser(uncut, options, coarse, components);
+  const std::vector<CutPolicy> policies = policiesFor(uncut);
+  const bool isCheap = policies.size() > 1 && mesh.simplexCount() <= kCheap;
+  const ReferenceMesh<N> original = isCheap ? mesh : ReferenceMesh<N>{};
+  std::vector<Trial<N>> trials;
+  trials.push_back(chooser.run(std::move(mesh), {}, 0));
+  const Index standardSize = trials[0].mesh.simplexCount();
+  if (isCheap && standardSize <= kCheap)
+    for (std::size_t p = 1; p < policies.size(); ++p)
+      trials.push_back(
+          chooser.run(original, std::vector<CutPolicy>(components, policies[p]), 2 * standardSize));
+
+  std::vector<std::size_t> chosen(components, 0); // the trial of each component
+  PartChoice<N> choice;
+  for (const Trial<N> &trial : trials) {
+    CutTrial &result = choice.trials.emplace_back();
+    result.policy = trial.policy;
+    for (const Score &score : trial.best) {
+      result.blocks += score.blocks;
+      result.worstSine = std::min(result.worstSine, score.worstSine);
+    }
+  }
+  for (std::size_t c = 0; c < components; ++c)
+    for (std::size_t t = 1; t < trials.size(); ++t)
+      if (trials[t].best[c].isBetterThan(trials[chosen[c]].best[c])) chosen[c] = t;
+  for (const std::size_t t : chosen) ++choice.trials[t].components;
+  std::size_t taken = chosen[0];
+  if (std::find_if(chosen.begin(), chosen.end(), [&](std::size_t t) { return t != taken; }) != chosen.end()) {
+    std::vector<CutPolicy> each;
+    for (const std::size_t t : chosen) each.push_back(trials[t].policy);
+    taken = trials.size();
+    trials.push_back(chooser.run(original, std::move(each), 0));
+  }
+  explain(trials[taken], choice);
+  mesh = std::move(trials[taken].mesh);
+  choice.source = std::move(trials[taken].source);
+  choice.decomposition = std::move(trials[taken].decomposition);
+  return choice;
+}
+
+template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
+                                   const CoarseMesh<2> &);
+template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
+                                   const CoarseMesh<3> &);
+
+} // namespace dualblock

@@ -1,0 +1,42 @@
+// Which cuts a component gets, and where simplices serve it better (ARCHITECTURE.md 3, rule 4): whatever
+// gives fewest blocks, then the least distorted ones.
+#pragma once
+
+#include "parts/decompose.h"
+#include "parts/fallback.h"
+
+namespace dualblock {
+
+/// What a policy of cutting comes to.
+struct CutTrial {
+  CutPolicy policy;
+  double blocks = 0;    // of the whole domain, simplices in place of cuts that do not serve
+  double worstSine = 1; // smallest sine of an angle between two sides of a part
+  Index components = 0; // that took it
+};
+
+template <int N> struct PartChoice {
+  Decomposition<N> decomposition;
+  std::vector<PartSource> source; // per component
+  std::vector<CutTrial> trials;
+  std::string whySimplices; // of the first component that does without cuts, or empty
+  /// Blocks that cuts alone, the confined fallback and the reference simplices would give, as far as they
+  /// were counted to choose between them: infinity where they give no valid mesh, below 0 where nobody asked.
+  std::array<double, 3> alternatives{-1, -1, -1};
+};
+
+/// The mesh whose simplices the fallback takes, made when it is first asked for; null if it cannot be made.
+template <int N> using CoarseMesh = std::function<const ReferenceMesh<N> *()>;
+
+/// Cuts `mesh`, whose parts are `uncut`, by the policies that suit its components best. Where they are cheap
+/// to try, and could differ, all of them are tried.
+template <int N>
+PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
+                          const CoarseMesh<N> &coarse);
+
+extern template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
+                                          const CoarseMesh<2> &);
+extern template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
+                                          const CoarseMesh<3> &);
+
+} // namespace dualblock
