@@ -1,19 +1,10 @@
 // The checker on meshes without a domain: right ones, and ones broken in one way each, which the right check refuses.
 import { describe, expect, it } from 'vitest';
-import { checkMesh, defaultCheckSettings } from '../../wasm/check/check.ts';
 import { toNumber } from '../../wasm/check/exact.ts';
-import { checkNames } from '../../wasm/check/findings.ts';
 import { meshMeasure } from '../../wasm/check/measure.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
 import { altered, cells, findNode, grid } from './support/block-meshes.ts';
-
-const check = (mesh: Mesh) => checkMesh(mesh, null, defaultCheckSettings);
-const failed = (mesh: Mesh): string =>
-  checkNames.filter((name) => check(mesh).findings.verdicts[name] === false).join();
-const messages = (mesh: Mesh): string =>
-  check(mesh)
-    .findings.failures.map(({ message }) => message)
-    .join('\n');
+import { check, failed, messages } from './support/check-domains.ts';
 
 const bar = cells(grid(3, 1, 1));
 const brick = cells(grid(3, 3, 3));
