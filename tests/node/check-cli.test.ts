@@ -1,36 +1,18 @@
 // `dualblock --check` as scripts meet it: exit statuses, streams and the report.
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { CheckReport } from '../../wasm/check/report.ts';
+import { useCommandLine } from './support/command-line.ts';
 import { exampleBytes } from './support/core.ts';
 
-const program = fileURLToPath(new URL('../../wasm/cli/dualblock.mjs', import.meta.url));
-
-let folder: string;
+const { dualblock, fileIn, write } = useCommandLine();
 beforeAll(() => {
-  folder = mkdtempSync(join(tmpdir(), 'dualblock-check-'));
   expect(dualblock('--example', 'square_ring', '-o', 'ring.vtk', '-o', 'ring.json', '--quiet').status).toBe(
     0,
   );
-  writeFileSync(join(folder, 'ring-domain.json'), exampleBytes('square_ring'));
-  writeFileSync(join(folder, 'broken.vtk'), fileIn('ring.vtk').replace(/(\nPOINTS .*\n)\S+/, '$19'));
-  writeFileSync(join(folder, 'garbage.vtk'), 'garbage');
+  write('ring-domain.json', exampleBytes('square_ring'));
+  write('broken.vtk', fileIn('ring.vtk').replace(/(\nPOINTS .*\n)\S+/, '$19'));
+  write('garbage.vtk', 'garbage');
 });
-afterAll(() => rmSync(folder, { recursive: true }));
-
-function dualblock(...words: string[]) {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...words], {
-    cwd: folder,
-    encoding: 'utf8',
-  });
-  expect(stderr).not.toMatch(/^\s+at /m); // no stack trace, whatever happens
-  return { status, stdout, stderr };
-}
-const fileIn = (name: string): string => readFileSync(join(folder, name), 'utf8');
 
 describe('exit status 0: valid', () => {
   it('a mesh alone', () => {

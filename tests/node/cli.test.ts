@@ -1,37 +1,14 @@
 // The command line as scripts meet it: exit statuses, what goes to which stream, files, reports, determinism.
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { Report } from '../../wasm/report.ts';
+import { program, useCommandLine } from './support/command-line.ts';
 import { examples, repositoryFile } from './support/core.ts';
 import { asFiles, box, textStl } from './support/solids.ts';
 
-const program = fileURLToPath(new URL('../../wasm/cli/dualblock.mjs', import.meta.url));
 const { version } = JSON.parse(repositoryFile('package.json').toString()) as { version: string };
 
-let folder: string;
-beforeAll(() => {
-  folder = mkdtempSync(join(tmpdir(), 'dualblock-'));
-});
-afterAll(() => rmSync(folder, { recursive: true }));
-
-/** Runs the program in the folder of this test. */
-function dualblock(...words: string[]) {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...words], {
-    cwd: folder,
-    encoding: 'utf8',
-  });
-  expect(stderr).not.toMatch(/^\s+at /m); // no stack trace, whatever happens
-  expect(stdout).not.toMatch(/^\s+at /m);
-  return { status, stdout, stderr };
-}
-
-const fileIn = (name: string): string => readFileSync(join(folder, name), 'utf8');
-const write = (name: string, content: string | Uint8Array): void =>
-  writeFileSync(join(folder, name), content);
+const { dualblock, files, fileIn, write } = useCommandLine();
 
 describe('a certified mesh', () => {
   it('goes into a file, and its report alone to standard output', () => {
@@ -120,7 +97,7 @@ describe('exit status 1: bad input', () => {
     expect(status).toBe(1);
     expect(stdout).toBe('');
     expect(stderr).toMatch(new RegExp(`^dualblock: ${name}: .* \\[${code}\\]\n$`));
-    expect(readdirSync(folder)).not.toContain(`${name}.vtk`);
+    expect(files()).not.toContain(`${name}.vtk`);
   });
 
   it('a file that is not there, with a report of the error', () => {
@@ -168,7 +145,7 @@ describe('exit status 3: no valid mesh', () => {
     const { certificate } = JSON.parse(stdout) as Report;
     expect(certificate).toMatchObject({ valid: false, matching: false, cells: null });
     expect(certificate.failures[0]?.message).toMatch(/node/);
-    expect(readdirSync(folder)).not.toContain(`${name}.vtk`);
+    expect(files()).not.toContain(`${name}.vtk`);
   });
 
   it('says for people what does not match', () => {

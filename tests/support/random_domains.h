@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <set>
@@ -134,45 +135,19 @@ inline Domain<3> randomBoxes(RandomSource &random, bool connected) {
 /// Cells of a grid in up to three regions; a facet between two regions is given once.
 inline Domain<3> randomAssembly(RandomSource &random) {
   constexpr int kGrid = 3;
-  std::array<std::array<std::array<int, kGrid + 2>, kGrid + 2>, kGrid + 2> label{};
+  std::map<std::array<int, 3>, int> regions; // of cells, counted from 1
   for (int i = 1; i <= kGrid; ++i)
     for (int j = 1; j <= kGrid; ++j)
       for (int k = 1; k <= kGrid; ++k)
-        label[at(i)][at(j)][at(k)] = random.chance(0.7) ? random.whole(1, 3) : 0;
-  label[2][2][2] = 1;
-  Domain<3> domain;
+        if (random.chance(0.7)) regions[{i, j, k}] = random.whole(1, 3);
+  regions[{2, 2, 2}] = 1;
+  Domain<3> domain = voxelDomain(kGrid + 1, [&](int i, int j, int k) {
+    const auto found = regions.find({i, j, k});
+    return found == regions.end() ? 0 : found->second;
+  });
+  for (const auto &[cell, region] : regions)
+    domain.regions.push_back({Vec<3>(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5), region});
   domain.name = "assembly";
-  std::map<std::array<int, 3>, Index> vertices;
-  const auto vertex = [&](std::array<int, 3> x) {
-    const auto [known, isNew] = vertices.emplace(x, toIndex(domain.vertices.size()));
-    if (isNew) domain.vertices.emplace_back(x[0], x[1], x[2]);
-    return known->second;
-  };
-  const auto labelOf = [&](const std::array<int, 3> &c) { return label[at(c[0])][at(c[1])][at(c[2])]; };
-  for (int i = 1; i <= kGrid; ++i)
-    for (int j = 1; j <= kGrid; ++j)
-      for (int k = 1; k <= kGrid; ++k) {
-        const std::array<int, 3> cell{i, j, k};
-        const int here = labelOf(cell);
-        if (here == 0) continue;
-        domain.regions.push_back({Vec<3>(i + 0.5, j + 0.5, k + 0.5), here});
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          for (int far = 0; far < 2; ++far) {
-            std::array<int, 3> next = cell;
-            next[axis] += far ? 1 : -1;
-            const int there = labelOf(next);
-            if (there == here || (there != 0 && far == 0)) continue; // an interface once, from the lower cell
-            std::vector<Index> loop;
-            for (const auto &[a, b] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
-              std::array<int, 3> corner = cell;
-              corner[axis] += far;
-              corner[(axis + 1) % 3] += far ? a : b;
-              corner[(axis + 2) % 3] += far ? b : a;
-              loop.push_back(vertex(corner));
-            }
-            domain.facets.push_back({{loop}});
-          }
-      }
   domain.isSolid = true;
   return domain;
 }

@@ -1,4 +1,4 @@
-// Domains made of unit cubes, as surfaces: each face between a cube and none is a facet.
+// Domains made of unit cubes, as surfaces, for one solid or several that share facets.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace dualblock::test {
 
-/// The union of the cells of an n^3 grid for which `filled(i, j, k)` holds.
-inline Domain<3> voxelDomain(int n, const std::function<bool(int, int, int)> &filled) {
+/// The cells of an n^3 grid whose `label(i, j, k)` is not 0, with a facet wherever the label changes. Between
+/// two labels the facet is there once, seen from the lower cell.
+inline Domain<3> voxelDomain(int n, const std::function<int(int, int, int)> &label) {
   Domain<3> domain;
   std::map<std::array<int, 3>, Index> vertices;
   const auto vertex = [&](std::array<int, 3> x) {
@@ -17,21 +18,23 @@ inline Domain<3> voxelDomain(int n, const std::function<bool(int, int, int)> &fi
     if (isNew) domain.vertices.emplace_back(x[0], x[1], x[2]);
     return at->second;
   };
-  const auto inside = [&](std::array<int, 3> c) {
+  const auto labelOf = [&](std::array<int, 3> c) {
     for (const int x : c)
-      if (x < 0 || x >= n) return false;
-    return filled(c[0], c[1], c[2]);
+      if (x < 0 || x >= n) return 0;
+    return label(c[0], c[1], c[2]);
   };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k) {
         const std::array<int, 3> cell{i, j, k};
-        if (!inside(cell)) continue;
+        const int here = labelOf(cell);
+        if (here == 0) continue;
         for (std::size_t axis = 0; axis < 3; ++axis)
           for (int far = 0; far < 2; ++far) {
             std::array<int, 3> next = cell;
             next[axis] += far ? 1 : -1;
-            if (inside(next)) continue;
+            const int there = labelOf(next);
+            if (there == here || (there != 0 && far == 0)) continue;
             std::vector<Index> loop;
             for (const auto &[a, b] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
               std::array<int, 3> corner = cell;
