@@ -298,7 +298,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &given, const PipelineOpti
     return runStages(given, options, progress);
   } catch (const OutOfTime &) {
     return Error{ErrorCode::timeLimit,
-                 "The run took longer than the limit of " + std::to_string(options.timeLimit) +
+                 "The run took longer than the limit of " + formatNumber(options.timeLimit) +
                      " s: raise it, refine less, or simplify the domain.",
                  {}};
   }

@@ -30,6 +30,9 @@ struct Error {
   std::vector<EntityRef> entities;
 };
 
+/// A number for a message, in up to six digits.
+std::string formatNumber(double x);
+
 /// Either a value or an Error. `ok()` first; `value()` and `error()` require the matching state.
 template <typename T> class [[nodiscard]] Result {
 public:

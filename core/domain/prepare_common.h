@@ -3,20 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
 #include "domain/prepare.h"
 
 namespace dualblock {
-
-/// A coordinate for a message.
-inline std::string formatNumber(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
 
 /// Enough vertices, all coordinates finite, all references in range.
 template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {

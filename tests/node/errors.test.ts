@@ -97,7 +97,7 @@ describe('calls', () => {
     const before = digest(core.run());
     const error = errorOf(() => core.run({ edgeLength: 0.1, timeLimit: 0.01 }));
     expect(error.code).toBe('timeLimit');
-    expect(error.message).toMatch(/limit of 0\.01/);
+    expect(error.message).toMatch(/limit of 0\.01 s: raise it/);
     expect(digest(core.run())).toEqual(before);
   });
 

@@ -84,8 +84,9 @@ export function isolateSelection(app: App): void {
 
 /** Everything as a step shows it by itself; the model, the step and the general looks stay. */
 function resetView(app: App): void {
-  const { model, reference, step, projection, occlusion, theme, refine } = app.view.state;
-  app.view.set({ ...defaultState, model, reference, step, projection, occlusion, theme, refine });
+  const { model, reference, timeLimit, step, projection, occlusion, theme, refine } = app.view.state;
+  const kept = { model, reference, timeLimit, step, projection, occlusion, theme, refine };
+  app.view.set({ ...defaultState, ...kept });
   app.say('View reset.');
 }
 

@@ -16,8 +16,8 @@ import {
   firstExample,
   type ModelRef,
   modelKey,
+  type Reference,
   sameEntity,
-  sameModel,
   type ViewState,
 } from './state/view-state.ts';
 
@@ -25,9 +25,11 @@ const cachedModels = 8;
 /** Longest fragment of a link that holds a dropped model. */
 const longestLink = 16_000;
 
-type Reference = ViewState['reference'];
-const sameReference = (a: Reference, b: Reference): boolean =>
-  a.edgeLength === b.edgeLength && a.seed === b.seed;
+type RunSettings = Pick<ViewState, 'reference' | 'timeLimit'>;
+
+/** Tells models apart by what they are made of. */
+const madeOf = (model: ModelRef, { edgeLength, seed, featureAngle }: Reference): string =>
+  `${modelKey(model)} ${edgeLength} ${seed} ${featureAngle}`;
 
 export class App {
   readonly view = new Store<ViewState>(defaultState);
@@ -38,6 +40,8 @@ export class App {
   model: Model | null = null;
   private readonly models = new Map<string, Model>();
   private readonly files = new Map<string, { name: string; bytes: Uint8Array }>();
+  /** The last view of the model that is shown. */
+  private kept: ViewState = defaultState;
   private turn = 0;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -103,9 +107,17 @@ export class App {
   }
 
   /** Runs the shown model anew with another reference mesh. */
-  async setReference(reference: Reference): Promise<void> {
-    const { model } = this.view.state;
-    await this.open(model, this.model?.title ?? '', () => this.bytesOf(model), { reference }, true);
+  async setReference(change: Partial<Reference>): Promise<void> {
+    const { model, reference } = this.view.state;
+    const patch = { reference: { ...reference, ...change } };
+    await this.open(model, this.model?.title ?? '', () => this.bytesOf(model), patch, true);
+  }
+
+  /** Limits every run from now on, and tries again what the last limit ended. */
+  setTimeLimit(timeLimit: number): void {
+    this.view.set({ timeLimit });
+    this.say(timeLimit > 0 ? `Runs are given up after ${timeLimit} s.` : 'Runs take as long as they need.');
+    this.ui.state.problem?.again?.();
   }
 
   cancel(): void {
@@ -187,7 +199,7 @@ export class App {
       if (!response.ok) throw new Error(String(response.status));
       const answer = await this.core.unpack(new Uint8Array(await response.arrayBuffer()));
       const ref: ModelRef = { source: 'example', name: firstExample };
-      this.enter(this.remember(ref, defaultState.reference, answer.result.title, answer), {}, false, true);
+      this.enter(this.remember(ref, defaultState, answer.result.title, answer), {}, false, true);
     } catch {
       await this.openExample(firstExample);
     }
@@ -208,7 +220,11 @@ export class App {
     patch: Partial<ViewState>,
     keepView = false,
   ): Promise<boolean> {
-    const model = await this.compute(ref, patch.reference ?? defaultState.reference, title, read);
+    const { reference = defaultState.reference, timeLimit = this.view.state.timeLimit } = patch;
+    const again = (): void => {
+      void this.open(ref, title, read, { ...patch, timeLimit: this.view.state.timeLimit }, keepView);
+    };
+    const model = await this.compute(ref, { reference, timeLimit }, title, read, again);
     if (model) this.enter(model, patch, keepView);
     return model !== null;
   }
@@ -216,14 +232,16 @@ export class App {
   /** A model, run or remembered; null where that failed, which is said, or something else was asked for meanwhile. */
   private async compute(
     ref: ModelRef,
-    reference: Reference,
+    settings: RunSettings,
     title: string,
     read: () => Promise<Uint8Array>,
+    again: () => void,
   ): Promise<Model | null> {
+    const { reference, timeLimit } = settings;
     const turn = ++this.turn;
     this.core.cancel();
     this.showProblem(false);
-    const known = this.models.get(this.key(ref, reference));
+    const known = this.models.get(madeOf(ref, reference));
     this.setUi({ busy: known ? null : { title, stage: 'reading', done: 0 }, problem: null });
     if (known) return known;
     try {
@@ -231,12 +249,12 @@ export class App {
       if (turn !== this.turn) return null;
       const name = ref.source === 'example' ? `${ref.name}.json` : ref.name;
       formatOf(name);
-      const answer = await this.core.run(name, bytes, reference, (stage, done) => {
+      const answer = await this.core.run(name, bytes, { ...reference, timeLimit }, (stage, done) => {
         if (turn === this.turn) this.setUi({ busy: { title, stage, done } });
       });
       if (turn !== this.turn) return null;
       this.setUi({ busy: null });
-      return this.remember(ref, reference, answer.result.title || title, answer);
+      return this.remember(ref, settings, answer.result.title || title, answer);
     } catch (error) {
       if (turn !== this.turn) return null;
       this.setUi({ busy: null });
@@ -246,6 +264,7 @@ export class App {
         message: error instanceof Error ? error.message : String(error),
         entities: known ? error.entities : [],
         given: known ? error.given : undefined,
+        again: known && error.code === 'timeLimit' ? again : null,
       });
       return null;
     }
@@ -253,12 +272,12 @@ export class App {
 
   private remember(
     ref: ModelRef,
-    reference: Reference,
+    { reference, timeLimit }: RunSettings,
     title: string,
     { result, display, memory }: RunAnswer,
   ): Model {
-    const model: Model = { ref, reference, title, result, display, memory };
-    this.models.set(this.key(ref, reference), model);
+    const model: Model = { ref, reference, timeLimit, title, result, display, memory };
+    this.models.set(madeOf(ref, reference), model);
     const oldest = this.models.keys().next().value;
     if (this.models.size > cachedModels && oldest !== undefined) this.models.delete(oldest);
     return model;
@@ -268,11 +287,11 @@ export class App {
   private enter(model: Model, patch: Partial<ViewState>, keepView: boolean, silent = false): void {
     this.model = model;
     const { state } = this.view;
-    const { theme, projection, occlusion, layers } = state;
+    const { theme, projection, occlusion, layers, timeLimit } = state;
     const noMesh = model.result.onlyMatching;
     const fresh = keepView
       ? { ...state, selection: null, isolated: null, hidden: [], scrub: defaultState.scrub }
-      : { ...defaultState, step: state.step, theme, projection, occlusion, layers };
+      : { ...defaultState, step: state.step, theme, projection, occlusion, layers, timeLimit };
     const next = { ...fresh, ...patch, model: model.ref, reference: model.reference };
     if (noMesh && next.step > 4) next.step = 4;
     this.stage.setModel(model);
@@ -288,33 +307,36 @@ export class App {
   }
 
   private fail(title: string, problem: Partial<Problem> & { code: string; message: string }): false {
-    this.setUi({ problem: { title, entities: [], given: undefined, ...problem }, sheet: null });
+    const shown: Problem = { title, entities: [], given: undefined, again: null, ...problem };
+    this.setUi({ problem: shown, sheet: null, notice: '' });
     return false;
   }
 
   /** Undo and redo may lead to another model. */
   private follow(now: ViewState, before: ViewState): void {
     const shown = this.model;
-    const wrong =
-      shown && (!sameModel(now.model, shown.ref) || !sameReference(now.reference, shown.reference));
-    if (wrong) {
+    if (shown && madeOf(now.model, now.reference) !== madeOf(shown.ref, shown.reference)) {
       void this.rerun(now);
       return;
     }
+    this.kept = now;
     this.stage.update(now, before);
   }
 
-  private async rerun({ model: ref, reference }: ViewState): Promise<void> {
-    const model = await this.compute(ref, reference, ref.name, () => this.bytesOf(ref));
-    if (!model) return;
+  private async rerun(view: ViewState): Promise<void> {
+    const { model: ref } = view;
+    const again = (): void => this.view.set({ ...view, timeLimit: this.view.state.timeLimit });
+    const model = await this.compute(ref, view, ref.name, () => this.bytesOf(ref), again);
+    if (!model) {
+      // Given up or cancelled: the view is again one of the model that is still shown.
+      if (this.view.state === view) this.view.set(this.kept, { silent: true });
+      return;
+    }
+    this.kept = this.view.state;
     this.model = model;
     this.stage.setModel(model);
     this.stage.refresh();
     this.setUi({ model: this.ui.state.model + 1 });
-  }
-
-  private key(ref: ModelRef, { edgeLength, seed }: Reference): string {
-    return `${modelKey(ref)} ${edgeLength} ${seed}`;
   }
 }
 

@@ -90,7 +90,8 @@ export const exporters: Exporter[] = [
     allowed: any,
     save: async (app) => {
       const model = app.model!;
-      const report = makeReport(model.result, { ...defaultSettings, ...model.reference }, model.memory);
+      const { result, reference, timeLimit, memory } = model;
+      const report = makeReport(result, { ...defaultSettings, ...reference, timeLimit }, memory);
       download(new Blob([JSON.stringify(report, null, 1)]), `${baseName(model)}-report.json`);
     },
   },

@@ -89,6 +89,7 @@ try {
           message: `${String(error)} Reload it.`,
           entities: [],
           given: undefined,
+          again: null,
         },
       });
     },

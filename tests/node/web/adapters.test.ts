@@ -22,7 +22,8 @@ function model(name: string): Model {
   const display = displayOf(result);
   return {
     ref: { source: 'example', name },
-    reference: { edgeLength: 0, seed: 0 },
+    reference: defaultState.reference,
+    timeLimit: 0,
     title: name,
     result,
     display,

@@ -24,7 +24,8 @@ function model(name: string): Model {
   const result = runExample(core, name);
   return {
     ref: { source: 'example', name },
-    reference: { edgeLength: 0, seed: 0 },
+    reference: defaultState.reference,
+    timeLimit: 0,
     title: result.title,
     result,
     display: displayOf(result),

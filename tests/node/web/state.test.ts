@@ -17,7 +17,8 @@ import {
 const rich: ViewState = {
   ...defaultState,
   model: { source: 'file', name: 'a part – ü.off', hash: '00ff' },
-  reference: { edgeLength: 0.25, seed: 7 },
+  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5 },
+  timeLimit: 90,
   step: 6,
   compare: 3,
   scrub: { hard: 12, soft: null },
@@ -128,6 +129,8 @@ describe('validation', () => {
     const state = validState({
       ...rich,
       model: { source: 'example', name: '../../secret' },
+      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270 },
+      timeLimit: -3,
       camera: { ...rich.camera, position: [1e300, 0, 0] },
       slice: { ...rich.slice, normal: [0, 0, 0] },
       peel: -4,
@@ -146,6 +149,8 @@ describe('validation', () => {
     });
     expect(state).toMatchObject({
       model: defaultState.model,
+      reference: { edgeLength: 0, seed: 3, featureAngle: 180 },
+      timeLimit: 0,
       camera: null,
       slice: null,
       peel: 0,
@@ -157,6 +162,28 @@ describe('validation', () => {
       theme: 'auto',
       layers: { 6: { cells: { opacity: 0.05 } } },
     });
+  });
+
+  it.each<[string, object, Partial<ViewState>]>([
+    [
+      'no angle and no limit, as in older links',
+      { reference: { edgeLength: 1, seed: 2 } },
+      { reference: { edgeLength: 1, seed: 2, featureAngle: 'auto' }, timeLimit: 0 },
+    ],
+    [
+      'an angle of 0, which is not auto',
+      { reference: { featureAngle: 0 } },
+      { reference: { edgeLength: 0, seed: 0, featureAngle: 0 } },
+    ],
+    [
+      'an angle and a limit in words',
+      { reference: { featureAngle: '20' }, timeLimit: 'long' },
+      { reference: defaultState.reference, timeLimit: 0 },
+    ],
+    ['a limit without end', { timeLimit: Number.POSITIVE_INFINITY }, { timeLimit: 0 }],
+    ['a limit of a moment', { timeLimit: 0.25 }, { timeLimit: 0.25 }],
+  ])('settings of a run: %s', (_, given, expected) => {
+    expect(validState(given)).toEqual({ ...defaultState, ...expected });
   });
 
   it('normalises the slice’s normal', () => {

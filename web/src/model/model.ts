@@ -2,7 +2,7 @@
 import type { RunResult } from '../../../wasm/result.ts';
 import type { CellSet } from '../display/cell-set.ts';
 import type { Display } from '../display/display.ts';
-import type { Entity, EntityKind, ModelRef } from '../state/view-state.ts';
+import type { Entity, EntityKind, ModelRef, Reference } from '../state/view-state.ts';
 
 export interface RefinedDisplay {
   intervals: number;
@@ -13,7 +13,9 @@ export interface RefinedDisplay {
 
 export interface Model {
   ref: ModelRef;
-  reference: { edgeLength: number; seed: number };
+  reference: Reference;
+  /** What the run was allowed to take. */
+  timeLimit: number;
   title: string;
   result: RunResult;
   display: Display;

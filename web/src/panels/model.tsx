@@ -1,9 +1,9 @@
-// Which domain: the gallery, a file, and the reference mesh it is filled with.
-import { useState } from 'preact/hooks';
+// Which domain: the gallery, a file, and what its run is asked for.
 import { inputFormats } from '../../../wasm/settings.ts';
 import thumbnails from '../thumbnails.svg?url';
 import { OpenButton } from './header.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
+import { RunSettings } from './run-settings.tsx';
 
 export function ModelPanel() {
   const app = useApp();
@@ -39,65 +39,7 @@ export function ModelPanel() {
           </ul>
         </section>
       ))}
-      <ReferenceMesh />
+      <RunSettings />
     </>
-  );
-}
-
-/** Other reference meshes of the same domain: they change the simplices, not the blocks. */
-function ReferenceMesh() {
-  const app = useApp();
-  const reference = useView((s) => s.reference);
-  const [edge, setEdge] = useState('');
-  const model = app.model;
-  const given = model?.result.onlyMatching;
-  if (!model || given) return null;
-  const size = Math.hypot(...[0, 1, 2].map((k) => model.display.box[3 + k]! - model.display.box[k]!));
-  return (
-    <section aria-label="Reference mesh">
-      <h3>Reference mesh</h3>
-      <p class="hint">Finer or varied simplices lead to the same blocks. Try it.</p>
-      <form
-        class="row"
-        onSubmit={(e) => {
-          e.preventDefault();
-          const edgeLength = Number(edge);
-          if (edge !== '' && !(edgeLength > size / 60))
-            app.say(`Edges under ${(size / 60).toPrecision(2)} make too many simplices here.`);
-          else void app.setReference({ ...reference, edgeLength: edge === '' ? 0 : edgeLength });
-        }}
-      >
-        <label>
-          <span>Edge length</span>
-          <input
-            type="number"
-            min="0"
-            step="any"
-            placeholder="coarsest"
-            value={edge || (reference.edgeLength || '').toString()}
-            onInput={(e) => setEdge(e.currentTarget.value)}
-          />
-        </label>
-        <button type="submit">Fill</button>
-      </form>
-      <div class="row">
-        <button
-          type="button"
-          onClick={() => void app.setReference({ ...reference, seed: reference.seed + 1 })}
-        >
-          Vary at random
-        </button>
-        <button
-          type="button"
-          disabled={reference.seed === 0 && reference.edgeLength === 0}
-          onClick={() => {
-            setEdge('');
-            void app.setReference({ edgeLength: 0, seed: 0 });
-          }}
-        >
-          Coarsest again
-        </button>
-      </div>
-    </section>
   );
 }

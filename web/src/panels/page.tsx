@@ -9,6 +9,7 @@ import { useApp, useUi, useView } from './hooks.ts';
 import { LeftPanel, leftTabs } from './left.tsx';
 import { Rail } from './rail.tsx';
 import { ExplainPanel, RightPanel, SelectionPanel } from './right.tsx';
+import { showTimeLimit } from './run-settings.tsx';
 
 export function Page() {
   const app = useApp();
@@ -168,8 +169,8 @@ function Problem() {
           {showing ? '' : ' · what was shown before is still there'}
         </small>
       </div>
-      <div class="row">
-        {problem.given && problem.entities.length > 0 && (
+      {problem.given && problem.entities.length > 0 && (
+        <div class="row">
           <button
             type="button"
             id="show-culprit"
@@ -178,11 +179,18 @@ function Problem() {
           >
             {showing ? 'Back' : 'Show'}
           </button>
-        )}
-        <IconButton label="Dismiss" keys="Esc" onClick={() => app.dismissProblem()}>
-          <Icon name="close" />
-        </IconButton>
-      </div>
+        </div>
+      )}
+      {problem.again && (
+        <div class="row">
+          <button type="button" id="raise-limit" onClick={() => showTimeLimit(app)}>
+            Raise the limit
+          </button>
+        </div>
+      )}
+      <IconButton label="Dismiss" keys="Esc" onClick={() => app.dismissProblem()}>
+        <Icon name="close" />
+      </IconButton>
     </div>
   );
 }

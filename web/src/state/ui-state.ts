@@ -11,6 +11,8 @@ export interface Problem {
   entities: EntityReference[];
   /** The domain that could not be meshed, where it can be shown. */
   given: Polygons | undefined;
+  /** Runs once more what the time limit ended, under the limit that is set by then; null for other problems. */
+  again: (() => void) | null;
 }
 
 export type Dialog = 'help' | 'share' | 'export' | 'paper' | 'commands';

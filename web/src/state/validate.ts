@@ -125,7 +125,9 @@ export function validState(given: unknown): ViewState {
     reference: {
       edgeLength: number(reference['edgeLength'], 0, huge, 0),
       seed: Math.round(number(reference['seed'], 0, 2 ** 32 - 1, 0)),
+      featureAngle: nullable(reference['featureAngle'], 0, 180) ?? 'auto',
     },
+    timeLimit: number(s['timeLimit'], 0, huge, 0),
     step: oneOf(s['step'], stepIds, d.step),
     compare: oneOf<Step | null>(s['compare'], stepIds, null),
     scrub: { hard: count(scrub['hard']), soft: count(scrub['soft']) },

@@ -78,10 +78,18 @@ export interface Camera {
   zoom: number;
 }
 
+/** What decides over the simplices that fill a domain and the sides that they find; see Settings of the core. */
+export interface Reference {
+  edgeLength: number;
+  seed: number;
+  featureAngle: number | 'auto';
+}
+
 export interface ViewState {
   model: ModelRef;
-  /** Of the reference mesh; see Settings of the core. */
-  reference: { edgeLength: number; seed: number };
+  reference: Reference;
+  /** Seconds that a run may take, of whatever model; 0: as long as it needs. */
+  timeLimit: number;
   step: Step;
   compare: Step | null;
   /** How many contributions are shown, in insertion order; null for all. */
@@ -113,7 +121,8 @@ export const firstExample = 'square_ring';
 
 export const defaultState: ViewState = {
   model: { source: 'example', name: firstExample },
-  reference: { edgeLength: 0, seed: 0 },
+  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto' },
+  timeLimit: 0,
   step: 8,
   compare: null,
   scrub: { hard: null, soft: null },
@@ -169,8 +178,6 @@ export function layerSetting(state: ViewState, step: Step, layer: LayerId, dimen
     opacity: changed?.opacity ?? own ?? 1,
   };
 }
-
-export const sameModel = (a: ModelRef, b: ModelRef): boolean => modelKey(a) === modelKey(b);
 
 export const modelKey = (m: ModelRef): string =>
   m.source === 'example' ? `example:${m.name}` : `file:${m.name}:${m.hash}`;
