@@ -96,6 +96,14 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   p.set("fallbackComponents", r.fallbackComponents);
   p.set("fallbackReason", r.fallbackReason);
   p.set("alternatives", toJs<double>(std::vector<double>(r.alternatives.begin(), r.alternatives.end())));
+  val trials = val::object();
+  trials.set("largestAngle",
+             column<double>(r.cutTrials, [](const CutTrial &t) { return t.policy.largestAngle; }));
+  trials.set("turn", column<double>(r.cutTrials, [](const CutTrial &t) { return t.policy.snap; }));
+  trials.set("blocks", column<double>(r.cutTrials, [](const CutTrial &t) { return t.blocks; }));
+  trials.set("worstSine", column<double>(r.cutTrials, [](const CutTrial &t) { return t.worstSine; }));
+  trials.set("components", column<Index>(r.cutTrials, [](const CutTrial &t) { return t.components; }));
+  p.set("cutTrials", trials);
   p.set("pulledComponents", r.pulledComponents);
   p.set("pulledParts", r.pulledParts);
   p.set("region", column<Index>(r.parts.parts, [](const PartInfo &i) { return i.region; }));

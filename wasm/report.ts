@@ -56,6 +56,13 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
         confined: alternative(parts.alternatives[1]),
         simplices: alternative(parts.alternatives[2]),
       },
+      cutChoices: Array.from(parts.cutTrials.blocks, (blocks, k) => ({
+        largestAngle: degrees(parts.cutTrials.largestAngle[k]),
+        turn: degrees(parts.cutTrials.turn[k]),
+        blocks: alternative(blocks),
+        smallestSine: parts.cutTrials.worstSine[k] ?? 0,
+        components: parts.cutTrials.components[k] ?? 0,
+      })),
       confinedFallback: { components: parts.pulledComponents, parts: parts.pulledParts },
     },
     contributions: { hard: contributions.hardCount, soft: contributions.softCount },
@@ -76,6 +83,10 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
 export type Report = ReturnType<typeof makeReport>;
 
 /** Blocks that a choice of parts would give; why there is no number, where there is none. */
+function degrees(radians: number | undefined): number {
+  return Math.round(((radians ?? 0) * 180e9) / Math.PI) / 1e9;
+}
+
 function alternative(blocks: number | undefined): number | 'not valid' | 'not counted' {
   if (blocks === undefined || blocks < 0) return 'not counted';
   return Number.isFinite(blocks) ? blocks : 'not valid';

@@ -97,6 +97,18 @@ export interface RunResult {
      * infinity where they give no valid mesh, below 0 where nobody asked.
      */
     alternatives: Float64Array;
+    /**
+     * Policies of cutting that were tried, the standard one first: curves of more than `largestAngle` are cut, and planes
+     * may `turn` by as much to serve two curves (radians). `blocks` that the whole domain would get, the smallest sine of an
+     * angle in a part, and the `components` that took it.
+     */
+    cutTrials: {
+      largestAngle: Float64Array;
+      turn: Float64Array;
+      blocks: Float64Array;
+      worstSine: Float64Array;
+      components: Int32Array;
+    };
     /** Components where only the parts that cuts left over became simplices, and how many parts those were. */
     pulledComponents: number;
     pulledParts: number;

@@ -66,6 +66,7 @@ export function explain({ result, display }: Model, step: Step, refined: number)
           [flat ? 'Triangles' : 'Tetrahedra', number(simplices)],
           ['As filled', number(reference.filled)],
           ['Cuts', number(reference.cuts)],
+          ['Choices of cuts tried', number(parts.cutTrials.blocks.length)],
           ['Parts', number(parts.count)],
           ['Repairs', number(reference.repairs)],
         ],
