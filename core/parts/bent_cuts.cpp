@@ -7,8 +7,7 @@
 #include <tuple>
 
 #include "base/sort.h"
-#include "parts/chains.h"
-#include "reference/cut.h"
+#include "parts/bent_proposals.h"
 #include "reference/refine.h"
 
 namespace dualblock {
@@ -16,45 +15,8 @@ namespace {
 
 /// A side may turn away from its mean normal by this much; a half cylinder does by 90 degrees.
 const double kLeastCosine = std::cos(70 * std::numbers::pi / 180);
-constexpr double kOnAxis = 1e-6;    // of the domain's size: nearer than this is on the axis
 constexpr double kAlike = 1e-6;     // of the domain's size: mirror images
 constexpr double kNearMiddle = 0.8; // cosine: corners that are this near to the middle attract a cut
-
-/// A proposal: where to cut, and the nodes from which the cut spreads (none: from anywhere in the part).
-struct Proposal {
-  Surface<3> surface;
-  std::vector<Index> from;
-};
-
-Surface<3> planeSurface(const Vec<3> &point, const Vec<3> &normal) {
-  Surface<3> surface{SurfaceKind::bentCut, kNone, planeThrough(point, normal)};
-  return surface;
-}
-
-/// A closed curve and the sides that meet in it.
-struct Loop {
-  Chain chain;
-  std::array<Index, 2> sides;
-};
-
-/// What one part consists of.
-struct PartView {
-  const ReferenceMesh<3> &mesh;
-  const Parts<3> &parts;
-  Index part;
-  std::vector<const Curve<3> *> curves;
-  std::vector<const Corner *> corners;
-
-  const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
-  /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
-  /// little.
-  bool isGiven(Index side) const {
-    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].kind == SurfaceKind::facet;
-  }
-  bool isBent(Index side) const {
-    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].bent;
-  }
-};
 
 /// No curve at all: through the middle, across the direction in which the part extends least; of directions
 /// that are as good the coordinate axes, z first, go before.
@@ -131,108 +93,6 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   proposal.surface.bent = true;
   proposal.surface.field = std::make_shared<MiddleField<3>>(std::move(first), std::move(others));
   return proposal;
-}
-
-/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those
-/// on a given side and a plane cut hardly less so.
-int raggedness(const PartView &v, const Loop &loop) {
-  int ragged = 0;
-  for (const Index side : loop.sides)
-    if (!v.isGiven(side)) ragged += v.isBent(side) ? 3 : 1;
-  return ragged;
-}
-
-/// The nodes of a chain on the side of its axis that `towards` points to.
-std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
-  std::vector<Index> half;
-  for (const Index n : chain.nodes)
-    if (glm::dot(v.node(n) - axis.centre, towards) > 0) half.push_back(n);
-  return half;
-}
-
-/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then
-/// corners of the part, then nodes of the curve, then how near they are to a coordinate plane. Where all
-/// corners are on one side of the axis, the half plane there is enough.
-std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
-  Axis axis;
-  if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
-  const double reach = kOnAxis * v.mesh.size;
-  std::vector<Axis> others;
-  Axis opposite; // the other end of a bent side that the loop bounds
-  Index ends = 0;
-  for (const Loop &other : loops) {
-    Axis o;
-    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, o)) continue;
-    others.push_back(o);
-    for (const Index side : loop.sides)
-      if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {
-        opposite = o;
-        ++ends;
-      }
-  }
-  others.push_back(axis);
-  // A tube runs from end to end, which need not be square to its ends.
-  if (ends == 1 && glm::length(opposite.centre - axis.centre) > 1e3 * reach) {
-    const Vec<3> along = glm::normalize(opposite.centre - axis.centre);
-    if (std::abs(glm::dot(along, axis.direction)) > 0.5) axis.direction = along;
-  }
-  // Axes that are this one tell nothing about directions.
-  const auto isSame = [&](const Axis &o) {
-    return glm::length(glm::cross(o.centre - axis.centre, axis.direction)) <= reach &&
-           glm::length(glm::cross(o.direction, axis.direction)) <= kOnAxis;
-  };
-  others.erase(std::remove_if(others.begin(), others.end(), isSame), others.end());
-  std::vector<Vec<3>> targets;
-  for (const Axis &o : others) {
-    targets.push_back(o.centre);
-    targets.push_back(axis.centre + o.direction * v.mesh.size);
-  }
-  for (const Corner *corner : v.corners) targets.push_back(v.node(corner->node));
-  for (int k = 0; k < 3; ++k) {
-    Vec<3> unit{0.0};
-    unit[k] = v.mesh.size;
-    targets.push_back(axis.centre + unit);
-  }
-  for (const Index n : loop.chain.nodes) targets.push_back(v.node(n));
-  using Score = std::tuple<int, int, int, double>;
-  std::vector<std::pair<Score, Proposal>> ranked;
-  for (const Vec<3> &target : targets) {
-    const Vec<3> across = glm::cross(axis.direction, target - axis.centre);
-    if (glm::length(across) <= 1e3 * reach) continue;
-    const Plane<3> plane = planeThrough(axis.centre, across);
-    Score score{0, 0, 0, 0};
-    for (const Axis &o : others)
-      if (std::abs(plane.distance(o.centre)) <= reach &&
-          std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
-        ++std::get<0>(score);
-    const Vec<3> towards = target - axis.centre;
-    int behind = 0;
-    for (const Corner *corner : v.corners) {
-      if (std::abs(plane.distance(v.node(corner->node))) > reach) continue;
-      const Vec<3> d = v.node(corner->node) - axis.centre;
-      ++(glm::dot(d - glm::dot(d, axis.direction) * axis.direction, towards) > 0 ? std::get<1>(score)
-                                                                                 : behind);
-    }
-    const bool half = std::get<0>(score) == 0 && std::get<1>(score) > 0 && behind == 0;
-    std::get<1>(score) += behind;
-    int held = 0;
-    for (const Index n : loop.chain.nodes) held += std::abs(plane.distance(v.node(n))) <= reach ? 1 : 0;
-    std::get<2>(score) = std::min(held, 2);
-    const Vec<3> n = glm::abs(plane.normal);
-    std::get<3>(score) = std::round(1e6 * std::max({n.x, n.y, n.z}));
-    const auto known = std::find_if(ranked.begin(), ranked.end(), [&](const auto &r) {
-      return std::abs(glm::dot(r.second.surface.plane.normal, plane.normal)) > 1 - 1e-9;
-    });
-    if (known != ranked.end() && known->first >= score) continue;
-    ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
-                                        half ? halfOf(v, loop.chain, axis, towards) : loop.chain.nodes});
-  }
-  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
-  constexpr std::size_t kTried = 8;
-  std::vector<Proposal> list;
-  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k)
-    list.push_back(std::move(ranked[k].second));
-  return list;
 }
 
 /// Half way between two corners where the same sides meet.
@@ -350,15 +210,32 @@ std::vector<Proposal> proposals(const PartView &v) {
   return list;
 }
 
+/// The part's simplices, with those that have been split off them since the part was found.
+std::vector<Index> simplicesOf(const ReferenceMesh<3> &mesh, const PartView &v) {
+  const auto &partOf = v.parts.partOfSimplex;
+  std::vector<Index> list{
+      toIndex(static_cast<std::size_t>(std::find(partOf.begin(), partOf.end(), v.part) - partOf.begin()))};
+  std::vector<bool> seen(mesh.simplices.size(), false);
+  seen[at(list[0])] = true;
+  for (std::size_t n = 0; n < list.size(); ++n)
+    for (int i = 0; i < 4; ++i) {
+      const Index s = list[n];
+      const Index t = mesh.neighbors[at(s)][i];
+      if (t == kNone || mesh.tags[at(s)][i] != kNone || seen[at(t)]) continue;
+      seen[at(t)] = true;
+      list.push_back(t);
+    }
+  sortItems(list);
+  return list;
+}
+
 bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
               const CutOptions &options) {
-  if (proposal.surface.field && resolve(mesh, *proposal.surface.field, options.tolerance) > 0)
-    return true; // parts have to be found anew; the next round cuts
+  if (proposal.surface.field) resolve(mesh, *proposal.surface.field, options.tolerance, false);
   std::vector<Index> from = proposal.from;
   sortItems(from);
   std::vector<CutSeed<3>> seeds;
-  for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    if (v.parts.partOfSimplex[at(s)] != v.part) continue;
+  for (const Index s : simplicesOf(mesh, v)) {
     const bool touches =
         from.empty() || std::any_of(mesh.simplices[at(s)].begin(), mesh.simplices[at(s)].end(),
                                     [&](Index n) { return std::binary_search(from.begin(), from.end(), n); });

@@ -146,7 +146,7 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
             std::size_t sector, std::span<const Curve<N> *const> others, double snap,
             const CutOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
-  if (surface.field) resolve(mesh, *surface.field, options.tolerance);
+  if (surface.field) resolve(mesh, *surface.field, options.tolerance, true);
   const auto [f, g] = curve.frames[run[0]].tags;
   const auto &first = curve.ridges[run[0]];
   const auto ridge = findRidge(mesh, first.front(), first.back(), f, g, options.facetSurfaces);

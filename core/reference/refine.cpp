@@ -4,6 +4,7 @@
 #include "base/sort.h"
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace dualblock {
 namespace {
@@ -116,13 +117,57 @@ double splitPosition(const ReferenceMesh<N> &mesh, const CutField<N> &field, Ind
   return position;
 }
 
+/// Whether the cut would go straight through simplex s where the zero set is bent: from one crossed edge to
+/// another, with the middle off.
+template <int N>
+bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const std::vector<double> &values,
+                  Index s, double tolerance) {
+  constexpr double kSagitta = 0.15; // of the chord's length
+  std::array<Vec<N>, 4> crossings;  // no plane crosses more edges of a tetrahedron
+  std::size_t count = 0;
+  const auto &v = mesh.simplices[at(s)];
+  for (int i = 0; i < N + 1; ++i)
+    for (int k = i + 1; k < N + 1; ++k) {
+      const double va = values[at(v[i])];
+      const double vb = values[at(v[k])];
+      if (std::min(va, vb) >= -tolerance || std::max(va, vb) <= tolerance) continue;
+      const Vec<N> a = mesh.nodes[at(v[i])];
+      crossings[count++] = a + va / (va - vb) * (mesh.nodes[at(v[k])] - a);
+    }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = i + 1; k < count; ++k)
+      if (std::abs(field.value(0.5 * (crossings[i] + crossings[k]))) >
+          kSagitta * glm::length(crossings[k] - crossings[i]))
+        return true;
+  return false;
+}
+
+/// The longest edge of simplex s, to be split where it is crossed or, if that is near an end, in the middle.
+template <int N>
+WantedSplit splitOfLongest(const ReferenceMesh<N> &mesh, const std::vector<double> &values, Index s) {
+  WantedSplit longest{kNone, kNone, 0.5};
+  double most = 0;
+  const auto &v = mesh.simplices[at(s)];
+  for (int i = 0; i < N + 1; ++i)
+    for (int k = i + 1; k < N + 1; ++k) {
+      const auto [a, b] = sortedPair(v[i], v[k]);
+      const Vec<N> along = mesh.nodes[at(b)] - mesh.nodes[at(a)];
+      if (glm::dot(along, along) <= most) continue;
+      most = glm::dot(along, along);
+      longest = {a, b, 0.5};
+    }
+  const double t = values[at(longest.a)] / (values[at(longest.a)] - values[at(longest.b)]);
+  if (t > 0.25 && t < 0.75) longest.position = t;
+  return longest;
+}
+
 } // namespace
 
-template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance) {
-  constexpr int kRounds = 3;
-  const Index before = mesh.nodeCount();
+template <int N>
+void resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance, bool followsChords) {
+  const int rounds = followsChords ? 4 : 3;
   std::vector<double> values;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     checkDeadline();
     for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v)
       values.push_back(field.value(mesh.nodes[v]));
@@ -142,14 +187,23 @@ template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field,
     for (const auto &[a, b] : near)
       if (const double t = splitPosition(mesh, field, a, b, values[at(a)], values[at(b)], tolerance); t > 0)
         wanted.push_back({a, b, t});
+    for (Index s = 0; s < mesh.simplexCount(); ++s)
+      if (followsChords && hasBentChord(mesh, field, values, s, tolerance))
+        wanted.push_back(splitOfLongest(mesh, values, s));
     if (wanted.empty()) break;
+    sortItems(wanted, [](const WantedSplit &x, const WantedSplit &y) {
+      return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+    });
+    wanted.erase(
+        std::unique(wanted.begin(), wanted.end(),
+                    [](const WantedSplit &x, const WantedSplit &y) { return x.a == y.a && x.b == y.b; }),
+        wanted.end());
     splitInOrder(mesh, wanted);
   }
-  return mesh.nodeCount() - before;
 }
 
-template Index resolve(ReferenceMesh<2> &, const CutField<2> &, double);
-template Index resolve(ReferenceMesh<3> &, const CutField<3> &, double);
+template void resolve(ReferenceMesh<2> &, const CutField<2> &, double, bool);
+template void resolve(ReferenceMesh<3> &, const CutField<3> &, double, bool);
 template void splitLongEdges(ReferenceMesh<2> &, double);
 template void splitLongEdges(ReferenceMesh<3> &, double);
 template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);

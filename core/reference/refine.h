@@ -17,16 +17,13 @@ template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<I
 
 /// Splits edges that a bent cut crosses unseen, twice, where three points between the ends show it, and those
 /// where a node put by linear interpolation would stand clearly off the cut; several times over, as new edges
-/// appear. Returns the number of nodes added.
-template <int N> Index resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance);
+/// appear. `followsChords`: also the longest edges of simplices that the cut would go straight through where
+/// the zero set is clearly bent. That takes many more nodes, and helps where a later cut has to cross this
+/// one once.
+template <int N>
+void resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance, bool followsChords);
 
-extern template Index resolve(ReferenceMesh<2> &, const CutField<2> &, double);
-extern template Index resolve(ReferenceMesh<3> &, const CutField<3> &, double);
-extern template void splitLongEdges(ReferenceMesh<2> &, double);
-extern template void splitLongEdges(ReferenceMesh<3> &, double);
-extern template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);
-extern template void splitRandomEdges(ReferenceMesh<3> &, std::uint32_t);
-extern template void splitEdges(ReferenceMesh<2> &, std::vector<std::pair<Index, Index>>);
-extern template void splitEdges(ReferenceMesh<3> &, std::vector<std::pair<Index, Index>>);
+extern template void resolve(ReferenceMesh<2> &, const CutField<2> &, double, bool);
+extern template void resolve(ReferenceMesh<3> &, const CutField<3> &, double, bool);
 
 } // namespace dualblock

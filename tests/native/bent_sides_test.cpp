@@ -60,6 +60,11 @@ TEST(BentSides, OtherSolids) {
   expectCounts(torus(24, 12), {136, 360, 96}); // four sectors of four prisms
 }
 
+// A cut that extends a bent side over long, thin simplices must not go straight where that side is bent.
+TEST(BentSides, ShaftOnShuffledMeshes) {
+  for (std::uint32_t seed = 1; seed <= 24; ++seed) expectCounts(shaft(24), {133, 336, 80}, {0, seed});
+}
+
 TEST(BentSides, ATurnedSolidIsCutAlike) {
   expectCounts(rotated(cylinder(24)), {51, 118, 24});
   expectCounts(rotated(plateWithHole(24)), {72, 168, 32});

@@ -1,0 +1,105 @@
+// Cuts along the axes of closed curves.
+#include <cmath>
+#include <tuple>
+
+#include "base/sort.h"
+#include "parts/bent_proposals.h"
+
+namespace dualblock {
+std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
+  std::vector<Index> half;
+  for (const Index n : chain.nodes)
+    if (glm::dot(v.node(n) - axis.centre, towards) > 0) half.push_back(n);
+  return half;
+}
+
+int raggedness(const PartView &v, const Loop &loop) {
+  int ragged = 0;
+  for (const Index side : loop.sides)
+    if (!v.isGiven(side)) ragged += v.isBent(side) ? 3 : 1;
+  return ragged;
+}
+
+std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
+  Axis axis;
+  if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
+  const double reach = kOnAxis * v.mesh.size;
+  std::vector<Axis> others;
+  Axis opposite; // the other end of a bent side that the loop bounds
+  Index ends = 0;
+  for (const Loop &other : loops) {
+    Axis o;
+    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, o)) continue;
+    others.push_back(o);
+    for (const Index side : loop.sides)
+      if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {
+        opposite = o;
+        ++ends;
+      }
+  }
+  others.push_back(axis);
+  // A tube runs from end to end, which need not be square to its ends.
+  if (ends == 1 && glm::length(opposite.centre - axis.centre) > 1e3 * reach) {
+    const Vec<3> along = glm::normalize(opposite.centre - axis.centre);
+    if (std::abs(glm::dot(along, axis.direction)) > 0.5) axis.direction = along;
+  }
+  // Axes that are this one tell nothing about directions.
+  const auto isSame = [&](const Axis &o) {
+    return glm::length(glm::cross(o.centre - axis.centre, axis.direction)) <= reach &&
+           glm::length(glm::cross(o.direction, axis.direction)) <= kOnAxis;
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), isSame), others.end());
+  std::vector<Vec<3>> targets;
+  for (const Axis &o : others) {
+    targets.push_back(o.centre);
+    targets.push_back(axis.centre + o.direction * v.mesh.size);
+  }
+  for (const Corner *corner : v.corners) targets.push_back(v.node(corner->node));
+  for (int k = 0; k < 3; ++k) {
+    Vec<3> unit{0.0};
+    unit[k] = v.mesh.size;
+    targets.push_back(axis.centre + unit);
+  }
+  for (const Index n : loop.chain.nodes) targets.push_back(v.node(n));
+  using Score = std::tuple<int, int, int, double>;
+  std::vector<std::pair<Score, Proposal>> ranked;
+  for (const Vec<3> &target : targets) {
+    const Vec<3> across = glm::cross(axis.direction, target - axis.centre);
+    if (glm::length(across) <= 1e3 * reach) continue;
+    const Plane<3> plane = planeThrough(axis.centre, across);
+    Score score{0, 0, 0, 0};
+    for (const Axis &o : others)
+      if (std::abs(plane.distance(o.centre)) <= reach &&
+          std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
+        ++std::get<0>(score);
+    const Vec<3> towards = target - axis.centre;
+    int behind = 0;
+    for (const Corner *corner : v.corners) {
+      if (std::abs(plane.distance(v.node(corner->node))) > reach) continue;
+      const Vec<3> d = v.node(corner->node) - axis.centre;
+      ++(glm::dot(d - glm::dot(d, axis.direction) * axis.direction, towards) > 0 ? std::get<1>(score)
+                                                                                 : behind);
+    }
+    const bool half = std::get<0>(score) == 0 && std::get<1>(score) > 0 && behind == 0;
+    std::get<1>(score) += behind;
+    int held = 0;
+    for (const Index n : loop.chain.nodes) held += std::abs(plane.distance(v.node(n))) <= reach ? 1 : 0;
+    std::get<2>(score) = std::min(held, 2);
+    const Vec<3> n = glm::abs(plane.normal);
+    std::get<3>(score) = std::round(1e6 * std::max({n.x, n.y, n.z}));
+    const auto known = std::find_if(ranked.begin(), ranked.end(), [&](const auto &r) {
+      return std::abs(glm::dot(r.second.surface.plane.normal, plane.normal)) > 1 - 1e-9;
+    });
+    if (known != ranked.end() && known->first >= score) continue;
+    ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
+                                        half ? halfOf(v, loop.chain, axis, towards) : loop.chain.nodes});
+  }
+  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
+  constexpr std::size_t kTried = 8;
+  std::vector<Proposal> list;
+  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k)
+    list.push_back(std::move(ranked[k].second));
+  return list;
+}
+
+} // namespace dualblock

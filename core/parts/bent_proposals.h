@@ -1,0 +1,58 @@
+// What bent cuts are proposed from, and how they are. Internal to parts/.
+#pragma once
+
+#include "parts/chains.h"
+#include "reference/cut.h"
+
+namespace dualblock {
+
+/// A proposal: where to cut, and the nodes from which the cut spreads (none: from anywhere in the part).
+struct Proposal {
+  Surface<3> surface;
+  std::vector<Index> from;
+};
+
+/// A closed curve and the sides that meet in it.
+struct Loop {
+  Chain chain;
+  std::array<Index, 2> sides;
+};
+
+/// What one part consists of.
+struct PartView {
+  const ReferenceMesh<3> &mesh;
+  const Parts<3> &parts;
+  Index part;
+  std::vector<const Curve<3> *> curves;
+  std::vector<const Corner *> corners;
+
+  const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
+  /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
+  /// little.
+  bool isGiven(Index side) const {
+    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].kind == SurfaceKind::facet;
+  }
+  bool isBent(Index side) const {
+    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].bent;
+  }
+};
+
+inline Surface<3> planeSurface(const Vec<3> &point, const Vec<3> &normal) {
+  return {SurfaceKind::bentCut, kNone, planeThrough(point, normal)};
+}
+
+/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those
+/// on a given side and a plane cut hardly less so.
+int raggedness(const PartView &part, const Loop &loop);
+
+/// The nodes of a chain on the side of its axis that `towards` points to.
+std::vector<Index> halfOf(const PartView &part, const Chain &chain, const Axis &axis, const Vec<3> &towards);
+
+/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then
+/// corners of the part, then nodes of the curve, then how near they are to a coordinate plane. Where all
+/// corners are on one side of the axis, the half plane there is enough.
+std::vector<Proposal> alongAxis(const PartView &part, const Loop &loop, const std::vector<Loop> &loops);
+
+inline constexpr double kOnAxis = 1e-6; // of the domain's size: nearer than this is on the axis
+
+} // namespace dualblock
