@@ -168,6 +168,8 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
   BlockComplex<N> complex;
   if constexpr (N == 3) complex.pinches = findPinches(in.mesh);
   std::vector<std::array<Index, 2>> edges;
+  complex.faces.reserve(2 * N * in.primal.blocks.size());
+  edges.reserve((N == 3 ? 12 : 4) * in.primal.blocks.size());
   for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
     const Block<N> &block = in.primal.blocks[at(b)];
     for (int f = 0; f < 2 * N; ++f) {
@@ -221,6 +223,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       certificate.fail(Check::topology, "a block has the same node twice", {{"block", b}});
   }
   std::vector<std::array<Index, 2>> pairs; // blocks that share a face
+  pairs.reserve(complex.faces.size() / 2);
   for (std::size_t f = 0; f + 1 < complex.faces.size(); ++f) {
     if (complex.faces[f].key != complex.faces[f + 1].key) continue;
     pairs.push_back({complex.faces[f].block, complex.faces[f + 1].block});

@@ -64,6 +64,7 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
   Contributions<N> result;
   const std::size_t count = mesh.simplices.size();
   result.ofSimplex.offsets.reserve(count + 1);
+  result.ofSimplex.items.reserve(4 * count);
   result.present.assign(count, 0);
   result.soft.assign(count, 0);
   std::vector<Contribution> here;

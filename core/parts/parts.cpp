@@ -328,6 +328,7 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
 
   // Curves and corners.
   std::vector<RidgeRecord<N>> records;
+  records.reserve(boundary.faces.size() / 2);
   for (std::size_t f = 0; f < boundary.faces.size(); ++f)
     for (int k = 0; k < N + 1; ++k) {
       if (k == boundary.faces[f].face) continue;

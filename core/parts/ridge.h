@@ -37,8 +37,9 @@ std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Inde
                             glm::normalize(mesh.nodes[at(goal)] - mesh.nodes[at(node)]));
         }
         if (cosine <= bestCosine) continue;
-        bestCosine = cosine;
         best = Ridge<N>{s, i, k};
+        if (cosine > 1 - 1e-12) return best; // no other leads there
+        bestCosine = cosine;
       }
     }
   }

@@ -66,6 +66,7 @@ public:
 
   std::vector<PrimalEdge> edges() const {
     std::vector<PrimalEdge> list;
+    list.reserve(N * edgeTo_.size());
     for (std::size_t p = 0; p < edgeTo_.size(); ++p)
       for (std::size_t k = 0; k < N; ++k)
         if (edgeTo_[p][k] != kNone)
@@ -77,6 +78,7 @@ public:
 
   std::vector<PrimalFace> faces() {
     std::vector<PrimalFace> list;
+    list.reserve(N * faceSeen_.size());
     for (std::size_t p = 0; p < faceSeen_.size(); ++p)
       for (int a = 0; a < N; ++a)
         for (int b = a + 1; b < N; ++b) {
@@ -211,6 +213,9 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   // From the blocks.
   std::vector<PrimalEdge> blockEdges;
   std::vector<PrimalFace> blockFaces;
+  primal.blocks.reserve(parts.corners.size());
+  blockEdges.reserve((N << (N - 1)) * parts.corners.size());
+  blockFaces.reserve((N == 3 ? 6 : 1) * parts.corners.size());
   for (const Corner &corner : parts.corners) {
     if (corner.sides.size() != N) continue;
     Block<N> block{corner.part, {}, {}};
