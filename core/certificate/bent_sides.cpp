@@ -34,7 +34,7 @@ double distanceToFacet(const std::vector<Vec<3>> &v, const Facet &facet, const P
   return inside ? std::min(least, std::abs(plane.distance(x))) : least;
 }
 
-void checkNodes(const CertificateInput<3> &in, const BlockComplex<3> &complex, double tolerance,
+void checkNodes(const BlockInput<3> &in, const BlockComplex<3> &complex, double tolerance,
                 Certificate &certificate) {
   // Facets of bent patches by patch, then by where they begin along x.
   struct Extent {
@@ -58,14 +58,14 @@ void checkNodes(const CertificateInput<3> &in, const BlockComplex<3> &complex, d
   });
   std::vector<std::pair<Index, Index>> wanted; // patch, node
   for (const BlockFace<3> &face : complex.faces) {
-    const Index facet = facetOf(in, face);
+    const Index facet = facetOf(face);
     if (facet == kNone || !in.mesh.surfaces[at(facet)].bent) continue;
     for (const Index node : face.key) wanted.emplace_back(in.mesh.surfaces[at(facet)].patch, node);
   }
   sortItems(wanted);
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   for (const auto &[patch, node] : wanted) {
-    const Vec<3> &x = in.primal.positions[at(node)];
+    const Vec<3> &x = in.blocks.positions[at(node)];
     auto e = std::lower_bound(extents.begin(), extents.end(), patch,
                               [](const Extent &a, Index p) { return a.patch < p; });
     bool found = false;
@@ -135,7 +135,7 @@ bool areApart(const Quad &p, const Quad &q, bool touch, double margin, int depth
   return true;
 }
 
-void checkEmbedding(const CertificateInput<3> &in, const BlockComplex<3> &complex, Certificate &certificate) {
+void checkEmbedding(const BlockInput<3> &in, const BlockComplex<3> &complex, Certificate &certificate) {
   struct Face {
     double low, high;
     Index index;
@@ -144,8 +144,8 @@ void checkEmbedding(const CertificateInput<3> &in, const BlockComplex<3> &comple
   for (const Index f : complex.boundary) {
     Face face{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), f};
     for (const Index node : complex.faces[at(f)].cycle) {
-      face.low = std::min(face.low, in.primal.positions[at(node)].x);
-      face.high = std::max(face.high, in.primal.positions[at(node)].x);
+      face.low = std::min(face.low, in.blocks.positions[at(node)].x);
+      face.high = std::max(face.high, in.blocks.positions[at(node)].x);
     }
     faces.push_back(face);
   }
@@ -154,7 +154,7 @@ void checkEmbedding(const CertificateInput<3> &in, const BlockComplex<3> &comple
   const double margin = 1e-12 * in.mesh.size;
   const auto quadOf = [&](Index f) {
     Quad quad;
-    for (std::size_t k = 0; k < 4; ++k) quad[k] = in.primal.positions[at(complex.faces[at(f)].cycle[k])];
+    for (std::size_t k = 0; k < 4; ++k) quad[k] = in.blocks.positions[at(complex.faces[at(f)].cycle[k])];
     return quad;
   };
   for (std::size_t a = 0; a < faces.size(); ++a) {
@@ -174,7 +174,7 @@ void checkEmbedding(const CertificateInput<3> &in, const BlockComplex<3> &comple
 
 } // namespace
 
-void checkBentSides(const CertificateInput<3> &in, const BlockComplex<3> &complex, double tolerance,
+void checkBentSides(const BlockInput<3> &in, const BlockComplex<3> &complex, double tolerance,
                     Certificate &certificate) {
   checkNodes(in, complex, tolerance, certificate);
   if (!certificate.isExact) checkEmbedding(in, complex, certificate);

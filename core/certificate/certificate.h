@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "blocks/block_mesh.h"
 #include "domain/domain.h"
-#include "primal/primal.h"
 
 namespace dualblock {
 
@@ -36,23 +36,39 @@ struct Certificate {
   void fail(Check check, std::string message, std::vector<EntityRef> entities = {});
 };
 
-template <int N> struct CertificateInput {
+/// What the checks of blocks need: the domain, and a mesh of it.
+template <int N> struct BlockInput {
   const Domain<N> &domain;                 // validated, facets oriented outward where they bound the domain
   const Parts<N> &features;                // of the uncut mesh: the domain's own curves and corners
   const std::vector<Vec<N>> &featureNodes; // the nodes that `features` refers to
+  const ReferenceMesh<N> &mesh;
+  const BlockMesh<N> &blocks;
+  double facetDeviation; // how far corners of facets lie off their planes, at most: the domain is only
+                         // known up to this, which bounds how well volumes can agree
+};
+
+template <int N> struct CertificateInput {
+  const Domain<N> &domain; // as in BlockInput
+  const Parts<N> &features;
+  const std::vector<Vec<N>> &featureNodes;
   const ReferenceMesh<N> &mesh;
   const Parts<N> &parts;
   const Contributions<N> &contributions;
   const DualCells<N> &dual;
   const DualSurfaces &surfaces;
   const Primal<N> &primal;
-  double facetDeviation; // how far corners of facets lie off their planes, at most: the domain is only
-                         // known up to this, which bounds how well volumes can agree
+  double facetDeviation;
 };
 
+/// All five checks of a primal and the dual that it was read off.
 template <int N> Certificate certify(const CertificateInput<N> &input);
+
+/// Topology, geometry and features of a mesh that has been changed since, and has no dual of its own.
+template <int N> Certificate certifyBlocks(const BlockInput<N> &input);
 
 extern template Certificate certify(const CertificateInput<2> &);
 extern template Certificate certify(const CertificateInput<3> &);
+extern template Certificate certifyBlocks(const BlockInput<2> &);
+extern template Certificate certifyBlocks(const BlockInput<3> &);
 
 } // namespace dualblock

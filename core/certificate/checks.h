@@ -7,21 +7,13 @@
 
 namespace dualblock {
 
-/// Corner k of face f of a block, in VTK's order of corners.
-template <int N> constexpr int faceCorner(int f, int k) {
-  constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-  constexpr int kQuadSides[4][2] = {{3, 0}, {1, 2}, {0, 1}, {2, 3}};
-  return N == 3 ? kFaces[f][k] : kQuadSides[f % 4][k % 2];
-}
-
 /// A face of a block, by its nodes in the block's order and by its sorted nodes.
 template <int N> struct BlockFace {
   std::array<Index, 1 << (N - 1)> key;   // sorted
   std::array<Index, 1 << (N - 1)> cycle; // around the face
   Index block;
-  int local;  // its number in the block: 2a and 2a + 1 are across axis a, the second one on the corner's side
-  Index side; // the side of the part that the face lies on, or kNone for a face towards the part's centre
+  int local; // its number in the block: 2a and 2a + 1 are across axis a, the second one on the corner's side
+  Index tag; // of the domain's facet that the face lies on, as seen from the block, or kNone
 };
 
 /// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
@@ -49,44 +41,39 @@ struct Crease {
 };
 
 /// The facet that a block's face lies on, or kNone.
-template <int N> Index facetOf(const CertificateInput<N> &in, const BlockFace<N> &face) {
-  if (face.side == kNone) return kNone;
-  const Index surface = FaceTag::surface(in.parts.sides[at(face.side)].tag);
-  return in.mesh.surfaces[at(surface)].kind == SurfaceKind::facet ? surface : kNone;
+template <int N> Index facetOf(const BlockFace<N> &face) {
+  return face.tag == kNone ? kNone : FaceTag::surface(face.tag);
 }
 
 /// Sorted. Turns around each edge of each block face on a facet, through the blocks, until another facet ends
 /// the fan.
-template <int N>
-std::vector<Crease> findCreases(const CertificateInput<N> &input, const BlockComplex<N> &complex);
+template <int N> std::vector<Crease> findCreases(const BlockInput<N> &input, const BlockComplex<N> &complex);
 
 /// Whether any facet is part of a bent side: the blocks then only approximate the domain.
-template <int N> bool isBent(const CertificateInput<N> &input) {
+template <int N> bool isBent(const BlockInput<N> &input) {
   return std::any_of(input.mesh.surfaces.begin(), input.mesh.surfaces.end(),
                      [](const Surface<N> &s) { return s.kind == SurfaceKind::facet && s.bent; });
 }
 
-template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &input);
+template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &input);
 
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
 template <int N>
 void checkCells(const CertificateInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
 template <int N>
-void checkTopology(const CertificateInput<N> &input, const BlockComplex<N> &complex,
-                   Certificate &certificate);
-template <int N> void checkGeometry(const CertificateInput<N> &input, Certificate &certificate);
+void checkTopology(const BlockInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
+template <int N> void checkGeometry(const BlockInput<N> &input, Certificate &certificate);
 template <int N>
-void checkFeatures(const CertificateInput<N> &input, const BlockComplex<N> &complex,
-                   Certificate &certificate);
+void checkFeatures(const BlockInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
 
 /// Of check 5: the creases are the domain's curves, node by node.
-void checkCurves(const CertificateInput<3> &input, const std::vector<Crease> &creases, double tolerance,
+void checkCurves(const BlockInput<3> &input, const std::vector<Crease> &creases, double tolerance,
                  Certificate &certificate);
-void checkCurves(const CertificateInput<2> &input, const std::vector<Crease> &creases, double tolerance,
+void checkCurves(const BlockInput<2> &input, const std::vector<Crease> &creases, double tolerance,
                  Certificate &certificate);
 /// Of check 5, where sides are bent: nodes on them lie on their facets, and no part of the boundary meets
 /// another.
-void checkBentSides(const CertificateInput<3> &input, const BlockComplex<3> &complex, double tolerance,
+void checkBentSides(const BlockInput<3> &input, const BlockComplex<3> &complex, double tolerance,
                     Certificate &certificate);
 
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the

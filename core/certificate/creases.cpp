@@ -28,11 +28,8 @@ template <int N> constexpr auto kAcross = acrossTable<N>();
 
 /// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the
 /// fan.
-template <int N>
-std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
-  const auto key = [&](const BlockFace<N> &face) {
-    return in.mesh.sideKey(in.parts.sides[at(face.side)].tag);
-  };
+template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const BlockComplex<N> &complex) {
+  const auto key = [&](const BlockFace<N> &face) { return in.mesh.sideKey(face.tag); };
   const auto mateOf = [&](Index f) { // the same face, seen from the other block
     if (f > 0 && complex.faces[at(f - 1)].key == complex.faces[at(f)].key) return f - 1;
     if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key)
@@ -46,13 +43,13 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
   };
   std::vector<Crease> creases;
   for (const BlockFace<N> &start : complex.faces) {
-    if (facetOf(in, start) == kNone) continue;
+    if (facetOf(start) == kNone) continue;
     for (std::size_t k = 0; k < start.cycle.size(); ++k) {
       const Index a = start.cycle[k];
       const Index b = N == 2 ? a : start.cycle[(k + 1) % start.cycle.size()];
       const BlockFace<N> *from = &start;
       Crease crease{{kNone, kNone}, sortedPair(a, b), 0};
-      while (at(crease.blocks) < in.primal.blocks.size()) {
+      while (at(crease.blocks) < in.blocks.blocks.size()) {
         ++crease.blocks;
         // The block's other face at a and b.
         std::size_t edge = place(*from, a);
@@ -60,7 +57,7 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
         const int local = kAcross<N>[at(from->local)][edge];
         const Index across = complex.faceOf[at(2 * N * from->block + local)];
         const BlockFace<N> &face = complex.faces[at(across)];
-        if (facetOf(in, face) != kNone) {
+        if (facetOf(face) != kNone) {
           crease.keys = {key(start), key(face)};
           break;
         }
@@ -76,7 +73,7 @@ std::vector<Crease> findCreases(const CertificateInput<N> &in, const BlockComple
   return creases;
 }
 
-template std::vector<Crease> findCreases(const CertificateInput<2> &, const BlockComplex<2> &);
-template std::vector<Crease> findCreases(const CertificateInput<3> &, const BlockComplex<3> &);
+template std::vector<Crease> findCreases(const BlockInput<2> &, const BlockComplex<2> &);
+template std::vector<Crease> findCreases(const BlockInput<3> &, const BlockComplex<3> &);
 
 } // namespace dualblock

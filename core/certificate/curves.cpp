@@ -76,8 +76,8 @@ double distanceAlong(const Course::Stretch &s, const Vec<3> &x, double &along) {
 }
 
 /// Whether the creases join the course's nodes in their order, all around or from end to end.
-bool followsCourse(const CertificateInput<3> &in, const Course &course, const Crease *begin,
-                   const Crease *end, double tolerance) {
+bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *begin, const Crease *end,
+                   double tolerance) {
   std::vector<std::array<Place, 2>> links;
   for (const Crease *c = begin; c != end; ++c) {
     // The piece that holds both nodes best: nodes where pieces meet lie on several.
@@ -91,7 +91,7 @@ bool followsCourse(const CertificateInput<3> &in, const Course &course, const Cr
         for (const Course::Stretch &s : course.stretches) {
           double along = 0;
           if (s.piece != piece) continue;
-          const double d = distanceAlong(s, in.primal.positions[at(c->nodes[k])], along);
+          const double d = distanceAlong(s, in.blocks.positions[at(c->nodes[k])], along);
           if (d >= best) continue;
           best = d;
           here[k] = {piece, along, c->nodes[k]};
@@ -137,7 +137,7 @@ bool followsCourse(const CertificateInput<3> &in, const Course &course, const Cr
   return true;
 }
 
-template <int N> std::array<Index, 2> keysOf(const CertificateInput<N> &in, const Curve<N> &curve) {
+template <int N> std::array<Index, 2> keysOf(const BlockInput<N> &in, const Curve<N> &curve) {
   return sortedPair(in.mesh.sideKey(in.features.sides[at(curve.sides[0])].tag),
                     in.mesh.sideKey(in.features.sides[at(curve.sides[1])].tag));
 }
@@ -153,7 +153,7 @@ bool keysLess(const Crease &c, const std::array<Index, 2> &keys) { return c.keys
 
 } // namespace
 
-void checkCurves(const CertificateInput<3> &in, const std::vector<Crease> &creases, double tolerance,
+void checkCurves(const BlockInput<3> &in, const std::vector<Crease> &creases, double tolerance,
                  Certificate &certificate) {
   std::vector<std::pair<std::array<Index, 2>, std::size_t>> order; // curves by keys
   for (std::size_t c = 0; c < in.features.curves.size(); ++c)
@@ -179,7 +179,7 @@ void checkCurves(const CertificateInput<3> &in, const std::vector<Crease> &creas
     certificate.fail(Check::features, "blocks meet along a curve that the domain does not have");
 }
 
-void checkCurves(const CertificateInput<2> &in, const std::vector<Crease> &creases, double,
+void checkCurves(const BlockInput<2> &in, const std::vector<Crease> &creases, double,
                  Certificate &certificate) {
   std::vector<std::array<Index, 2>> wanted;
   std::vector<std::array<Index, 2>> made;

@@ -39,23 +39,23 @@ double facetArea(const std::vector<Vec<3>> &v, const Facet &f) {
 }
 
 template <int N>
-void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, double tolerance,
+void checkFacets(const BlockInput<N> &in, const BlockComplex<N> &complex, double tolerance,
                  Certificate &certificate) {
   std::vector<double> covered(in.domain.facets.size(), 0);
   for (const BlockFace<N> &face : complex.faces) {
-    const Index facet = facetOf(in, face);
+    const Index facet = facetOf(face);
     if (facet == kNone) continue;
     if (in.mesh.surfaces[at(facet)].bent) continue; // checkBentSides
     const Plane<N> &plane = in.mesh.surfaces[at(facet)].plane;
     for (const Index v : face.cycle)
-      if (std::abs(plane.distance(in.primal.positions[at(v)])) > tolerance)
+      if (std::abs(plane.distance(in.blocks.positions[at(v)])) > tolerance)
         certificate.fail(Check::features,
                          "node " + std::to_string(v) + " is off facet " + std::to_string(facet),
                          {{"node", v}, {"facet", facet}});
-    covered[at(facet)] += polygonMeasure(in.primal.positions, face.cycle, plane.normal);
+    covered[at(facet)] += polygonMeasure(in.blocks.positions, face.cycle, plane.normal);
   }
   for (std::size_t k = 0; k < complex.boundary.size(); ++k)
-    if (facetOf(in, complex.faces[at(complex.boundary[k])]) == kNone)
+    if (facetOf(complex.faces[at(complex.boundary[k])]) == kNone)
       certificate.fail(Check::features, "a boundary face of the blocks lies on no facet",
                        {{"block", complex.faces[at(complex.boundary[k])].block}});
   std::vector<int> sheets(in.domain.facets.size(), 0); // an interface is covered from both sides
@@ -84,7 +84,7 @@ void checkFacets(const CertificateInput<N> &in, const BlockComplex<N> &complex, 
 } // namespace
 
 template <int N>
-void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
+void checkFeatures(const BlockInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
   const double tolerance = 1e-9 * in.mesh.size + 2 * in.facetDeviation;
   checkFacets(in, complex, tolerance, certificate);
   if constexpr (N == 3)
@@ -96,8 +96,8 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   for (int k = 1; k < N; ++k) slanted[k] = slanted[k - 1] * 0.7320508075688772;
   slanted = glm::normalize(slanted);
   std::vector<std::pair<double, Index>> byHeight;
-  byHeight.reserve(in.primal.positions.size());
-  for (const Vec<N> &x : in.primal.positions)
+  byHeight.reserve(in.blocks.positions.size());
+  for (const Vec<N> &x : in.blocks.positions)
     byHeight.emplace_back(glm::dot(x, slanted), toIndex(byHeight.size()));
   sortItems(byHeight);
   for (const Corner &corner : in.features.corners) {
@@ -107,7 +107,7 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
     auto near = std::lower_bound(byHeight.begin(), byHeight.end(), std::pair(height - slack, Index{0}));
     bool found = false;
     for (; near != byHeight.end() && near->first <= height + slack && !found; ++near)
-      found = glm::length(in.primal.positions[at(near->second)] - x) <= tolerance;
+      found = glm::length(in.blocks.positions[at(near->second)] - x) <= tolerance;
     if (!found)
       certificate.fail(Check::features,
                        "vertex " + std::to_string(corner.node) + " of the domain is no primal node",
@@ -130,7 +130,7 @@ void checkFeatures(const CertificateInput<N> &in, const BlockComplex<N> &complex
   checkCurves(in, creases, tolerance, certificate);
 }
 
-template void checkFeatures(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);
-template void checkFeatures(const CertificateInput<3> &, const BlockComplex<3> &, Certificate &);
+template void checkFeatures(const BlockInput<2> &, const BlockComplex<2> &, Certificate &);
+template void checkFeatures(const BlockInput<3> &, const BlockComplex<3> &, Certificate &);
 
 } // namespace dualblock

@@ -171,7 +171,7 @@ Vec<3> facetNormal(const std::vector<Vec<3>> &v, const Facet &f) {
 }
 
 /// The domain's area or volume from its facets alone; `surface` returns the measure of its boundary.
-template <int N> double domainMeasure(const CertificateInput<N> &in, double &surface) {
+template <int N> double domainMeasure(const BlockInput<N> &in, double &surface) {
   std::vector<bool> outer(in.domain.facets.size(), false);
   for (Index s = 0; s < in.mesh.simplexCount(); ++s)
     for (int i = 0; i < N + 1; ++i)
@@ -222,13 +222,13 @@ template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, dou
   return signOf<N>(determinant<N>(corners), corners, ratio);
 }
 
-template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &certificate) {
+template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certificate) {
   certificate.worstCoefficient = std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
+  for (Index b = 0; b < toIndex(in.blocks.blocks.size()); ++b) {
     std::array<Vec<N>, 1 << N> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
-      corners[k] = in.primal.positions[at(in.primal.blocks[at(b)].nodes[k])];
+      corners[k] = in.blocks.positions[at(in.blocks.blocks[at(b)][k])];
     const auto p = determinant<N>(corners);
     double ratio = 0;
     const int sign = signOf<N>(p, corners, ratio);
@@ -256,7 +256,7 @@ template <int N> void checkGeometry(const CertificateInput<N> &in, Certificate &
 
 template int jacobianSign<2>(const std::array<Vec<2>, 4> &, double &);
 template int jacobianSign<3>(const std::array<Vec<3>, 8> &, double &);
-template void checkGeometry(const CertificateInput<2> &, Certificate &);
-template void checkGeometry(const CertificateInput<3> &, Certificate &);
+template void checkGeometry(const BlockInput<2> &, Certificate &);
+template void checkGeometry(const BlockInput<3> &, Certificate &);
 
 } // namespace dualblock

@@ -58,7 +58,7 @@ Index eulerByCounting(const ReferenceMesh<3> &mesh) {
          static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
 }
 
-template <int N> Shape shapeOfReference(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
+template <int N> Shape shapeOfReference(const BlockInput<N> &in, const BlockComplex<N> &complex) {
   // chi = nodes - edges + triangles - tetrahedra. Edges are counted by sorting node pairs (3D).
   const ReferenceMesh<N> &mesh = in.mesh;
   Shape shape;
@@ -103,14 +103,12 @@ template <int N> Shape shapeOfReference(const CertificateInput<N> &in, const Blo
   return shape;
 }
 
-template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockComplex<N> &complex) {
+template <int N> Shape shapeOfBlocks(const BlockInput<N> &in, const BlockComplex<N> &complex) {
   Shape shape;
-  std::vector<bool> used(at(in.primal.nodeCount), false);
-  std::vector<std::array<Index, 1 << N>> blocks;
-  for (const Block<N> &b : in.primal.blocks) {
-    blocks.push_back(b.nodes);
-    for (const Index v : b.nodes) used[at(v)] = true;
-  }
+  std::vector<bool> used(in.blocks.positions.size(), false);
+  const auto &blocks = in.blocks.blocks;
+  for (const auto &b : in.blocks.blocks)
+    for (const Index v : b) used[at(v)] = true;
   Index faces = 0;
   for (std::size_t f = 0; f < complex.faces.size(); ++f)
     if (f == 0 || complex.faces[f].key != complex.faces[f - 1].key) ++faces;
@@ -119,8 +117,8 @@ template <int N> Shape shapeOfBlocks(const CertificateInput<N> &in, const BlockC
   shape.euler = N == 2 ? nodes - faces + count : nodes - toIndex(complex.edges.size()) + faces - count;
   std::vector<std::array<Index, 1 << (N - 1)>> boundary;
   for (const Index f : complex.boundary) boundary.push_back(complex.faces[at(f)].cycle);
-  shape.components = nodeComponents(blocks, at(in.primal.nodeCount));
-  shape.shells = nodeComponents(boundary, at(in.primal.nodeCount));
+  shape.components = nodeComponents(blocks, in.blocks.positions.size());
+  shape.shells = nodeComponents(boundary, in.blocks.positions.size());
   return shape;
 }
 
@@ -162,34 +160,34 @@ std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
 
 } // namespace
 
-template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in) {
+template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &in) {
   static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                         {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   BlockComplex<N> complex;
   if constexpr (N == 3) complex.pinches = findPinches(in.mesh);
   std::vector<std::array<Index, 2>> edges;
-  complex.faces.reserve(2 * N * in.primal.blocks.size());
-  edges.reserve((N == 3 ? 12 : 4) * in.primal.blocks.size());
-  for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
-    const Block<N> &block = in.primal.blocks[at(b)];
+  complex.faces.reserve(2 * N * in.blocks.blocks.size());
+  edges.reserve((N == 3 ? 12 : 4) * in.blocks.blocks.size());
+  for (Index b = 0; b < toIndex(in.blocks.blocks.size()); ++b) {
+    const auto &block = in.blocks.blocks[at(b)];
     for (int f = 0; f < 2 * N; ++f) {
       BlockFace<N> face;
       for (std::size_t k = 0; k < face.cycle.size(); ++k)
-        face.cycle[k] = block.nodes[at(faceCorner<N>(f, static_cast<int>(k)))];
+        face.cycle[k] = block[at(faceCorner<N>(f, static_cast<int>(k)))];
       face.key = face.cycle;
       sortItems(face.key);
       face.block = b;
       face.local = f;
-      face.side = f % 2 == 1 ? block.sides[at(f / 2)] : kNone;
+      face.tag = in.blocks.tags[at(b)][at(f)];
       complex.faces.push_back(face);
     }
     for (const auto &[u, v] : kEdges) {
       if (N == 2 && std::max(u, v) > 3) continue;
-      edges.push_back(sortedPair(block.nodes[at(u)], block.nodes[at(v)]));
+      edges.push_back(sortedPair(block[at(u)], block[at(v)]));
     }
   }
   sortByIndex(
-      complex.faces, at(in.primal.nodeCount), [](const BlockFace<N> &f) { return f.key[0]; },
+      complex.faces, in.blocks.positions.size(), [](const BlockFace<N> &f) { return f.key[0]; },
       [](const BlockFace<N> &a, const BlockFace<N> &b) {
         return std::tie(a.key, a.block) < std::tie(b.key, b.block);
       });
@@ -201,7 +199,7 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
     const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;
     if (!before && !after) complex.boundary.push_back(toIndex(f));
   }
-  sortByIndex(edges, at(in.primal.nodeCount), [](const auto &e) { return e[0]; });
+  sortByIndex(edges, in.blocks.positions.size(), [](const auto &e) { return e[0]; });
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (e == 0 || edges[e] != edges[e - 1]) {
       complex.edges.push_back(edges[e]);
@@ -213,11 +211,10 @@ template <int N> BlockComplex<N> buildBlockComplex(const CertificateInput<N> &in
 }
 
 template <int N>
-void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
-  for (const std::string &fault : in.primal.faults) certificate.fail(Check::topology, fault);
-  if (in.primal.blocks.empty()) certificate.fail(Check::topology, "there are no blocks");
-  for (Index b = 0; b < toIndex(in.primal.blocks.size()); ++b) {
-    auto nodes = in.primal.blocks[at(b)].nodes;
+void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
+  if (in.blocks.blocks.empty()) certificate.fail(Check::topology, "there are no blocks");
+  for (Index b = 0; b < toIndex(in.blocks.blocks.size()); ++b) {
+    auto nodes = in.blocks.blocks[at(b)];
     sortItems(nodes);
     if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
       certificate.fail(Check::topology, "a block has the same node twice", {{"block", b}});
@@ -231,7 +228,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       certificate.fail(Check::topology, "three blocks share a face",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
   }
-  sortByIndex(pairs, in.primal.blocks.size(), [](const auto &p) { return p[0]; });
+  sortByIndex(pairs, in.blocks.blocks.size(), [](const auto &p) { return p[0]; });
   const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
   if (twice != pairs.end())
     certificate.fail(Check::topology, "two blocks share more than one face",
@@ -246,7 +243,7 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
       else ridges.push_back(sortedPair(cycle[k], cycle[(k + 1) % 4]));
     }
   }
-  sortByIndex(ridges, at(in.primal.nodeCount), [](const auto &r) { return r[0]; });
+  sortByIndex(ridges, in.blocks.positions.size(), [](const auto &r) { return r[0]; });
   for (std::size_t begin = 0, end = 0; begin < ridges.size(); begin = end) {
     while (end < ridges.size() && ridges[end] == ridges[begin]) ++end;
     if (end - begin != 2)
@@ -260,9 +257,9 @@ void checkTopology(const CertificateInput<N> &in, const BlockComplex<N> &complex
                      "the blocks have " + describe(blocks) + "; the domain has " + describe(reference));
 }
 
-template BlockComplex<2> buildBlockComplex(const CertificateInput<2> &);
-template BlockComplex<3> buildBlockComplex(const CertificateInput<3> &);
-template void checkTopology(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);
-template void checkTopology(const CertificateInput<3> &, const BlockComplex<3> &, Certificate &);
+template BlockComplex<2> buildBlockComplex(const BlockInput<2> &);
+template BlockComplex<3> buildBlockComplex(const BlockInput<3> &);
+template void checkTopology(const BlockInput<2> &, const BlockComplex<2> &, Certificate &);
+template void checkTopology(const BlockInput<3> &, const BlockComplex<3> &, Certificate &);
 
 } // namespace dualblock

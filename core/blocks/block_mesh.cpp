@@ -1,0 +1,96 @@
+#include "blocks/block_mesh.h"
+
+#include "base/disjoint_sets.h"
+#include "base/sort.h"
+
+namespace dualblock {
+
+template <int N>
+BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Primal<N> &primal) {
+  BlockMesh<N> result;
+  result.positions = primal.positions;
+  for (const Block<N> &block : primal.blocks) {
+    result.blocks.push_back(block.nodes);
+    result.part.push_back(block.part);
+    auto &tags = result.tags.emplace_back();
+    tags.fill(kNone); // low faces are towards the part's centre
+    for (std::size_t a = 0; a < N; ++a) {
+      const Index tag = parts.sides[at(block.sides[a])].tag;
+      if (mesh.surfaces[at(FaceTag::surface(tag))].kind == SurfaceKind::facet) tags[2 * a + 1] = tag;
+    }
+  }
+  return result;
+}
+
+template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const BlockMesh<N> &blocks) {
+  std::vector<std::array<Index, 2>> found; // node, patch
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (int f = 0; f < 2 * N; ++f) {
+      const Index tag = blocks.tags[b][at(f)];
+      if (tag == kNone) continue;
+      for (int k = 0; k < 1 << (N - 1); ++k)
+        found.push_back({blocks.blocks[b][at(faceCorner<N>(f, k))], mesh.sideKey(tag)});
+    }
+  sortByIndex(found, blocks.positions.size(), [](const auto &f) { return f[0]; });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  Lists<Index> patches;
+  std::size_t next = 0;
+  for (Index node = 0; node < blocks.nodeCount(); ++node) {
+    for (; next < found.size() && found[next][0] == node; ++next) patches.items.push_back(found[next][1]);
+    patches.closeList();
+  }
+  return patches;
+}
+
+template <int N> Lists<Index> blocksOfNodes(const BlockMesh<N> &blocks) {
+  Lists<Index> lists;
+  lists.offsets.assign(blocks.positions.size() + 1, 0);
+  for (const auto &block : blocks.blocks)
+    for (const Index v : block) ++lists.offsets[at(v) + 1];
+  for (std::size_t v = 0; v < blocks.positions.size(); ++v) lists.offsets[v + 1] += lists.offsets[v];
+  lists.items.resize(at(lists.offsets.back()));
+  std::vector<Index> cursor(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (const Index v : blocks.blocks[b]) lists.items[at(cursor[at(v)]++)] = toIndex(b);
+  return lists;
+}
+
+template <int N> Sheets<N> findSheets(const BlockMesh<N> &blocks) {
+  // Parallel edges of a block belong together; so do those of neighbours that are one edge.
+  struct Edge {
+    std::array<Index, 2> nodes;
+    Index slot; // block and axis
+  };
+  std::vector<Edge> edges;
+  edges.reserve(blocks.blocks.size() * (N << (N - 1)));
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t low = 0; low < 1U << N; ++low) {
+        if (kBlockBits<N>[low] >> a & 1) continue;
+        std::size_t high = 0;
+        while (kBlockBits<N>[high] != (kBlockBits<N>[low] | 1U << a)) ++high;
+        edges.push_back({sortedPair(blocks.blocks[b][low], blocks.blocks[b][high]), toIndex(N * b + a)});
+      }
+  sortByIndex(
+      edges, blocks.positions.size(), [](const Edge &e) { return e.nodes[0]; },
+      [](const Edge &a, const Edge &b) { return std::tie(a.nodes, a.slot) < std::tie(b.nodes, b.slot); });
+  DisjointSets sets(N * blocks.blocks.size());
+  for (std::size_t e = 0; e + 1 < edges.size(); ++e)
+    if (edges[e].nodes == edges[e + 1].nodes) sets.unite(edges[e].slot, edges[e + 1].slot);
+  Sheets<N> sheets;
+  const std::vector<Index> number = sets.numbering(sheets.count);
+  sheets.ofBlock.resize(blocks.blocks.size());
+  for (std::size_t slot = 0; slot < number.size(); ++slot) sheets.ofBlock[slot / N][slot % N] = number[slot];
+  return sheets;
+}
+
+#define DUALBLOCK_DEFINE(N)                                                                                  \
+  template BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &, const Parts<N> &, const Primal<N> &);        \
+  template Lists<Index> patchesOfNodes(const ReferenceMesh<N> &, const BlockMesh<N> &);                      \
+  template Lists<Index> blocksOfNodes(const BlockMesh<N> &);                                                 \
+  template Sheets<N> findSheets(const BlockMesh<N> &);
+DUALBLOCK_DEFINE(2)
+DUALBLOCK_DEFINE(3)
+#undef DUALBLOCK_DEFINE
+
+} // namespace dualblock
