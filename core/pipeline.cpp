@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/deadline.h"
+#include "blocks/relax.h"
 #include "contributions/given_matching.h"
 #include "contributions/repair.h"
 #include "domain/intersections.h"
@@ -87,17 +88,43 @@ bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector
   return false;
 }
 
-template <int N> void buildResult(PipelineResult<N> &r, StageClock &clock) {
+/// The primal's nodes, moved to where its blocks have a better shape.
+template <int N> void relaxPrimal(PipelineResult<N> &r) {
+  BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.primal);
+  const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks);
+  relax(freedom, blocks, {});
+  r.primal.positions = std::move(blocks.positions);
+}
+
+template <int N> void buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock) {
   clock.start("primal", 0.7);
   r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
   clock.start("placement", 0.8);
   placeNodes(r.mesh, r.parts, r.dual, r.primal);
+  std::vector<Vec<N>> placed = r.primal.positions;
+  if (options.relax) {
+    clock.start("relaxation", 0.85);
+    relaxPrimal(r);
+  }
+  clock.start("certificate", 0.9);
+  const auto judge = [&] {
+    r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
+                                r.dual, r.surfaces, r.primal, r.domain.deviation});
+  };
+  judge();
+  if (!r.certificate.valid &&
+      options.relax) { // where bent sides nearly touch, the first places may serve better
+    std::swap(r.primal.positions, placed);
+    const Certificate relaxed = std::move(r.certificate);
+    judge();
+    if (!r.certificate.valid) {
+      std::swap(r.primal.positions, placed);
+      r.certificate = relaxed;
+    }
+  }
   r.quality.clear();
   for (const Block<N> &block : r.primal.blocks)
     r.quality.push_back(scaledJacobian<N>(cornersOf<N>(block.nodes, r.primal.positions)));
-  clock.start("certificate", 0.9);
-  r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
-                              r.dual, r.surfaces, r.primal, r.domain.deviation});
 }
 
 /// The components of what the certificate's failures name, of those that can still change; all of them where
@@ -261,7 +288,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
       r.parts = buildParts(r.mesh, partOptions);
     }
     const bool built = buildDual(r, partOptions, everyFace, clock);
-    if (built) buildResult(r, clock);
+    if (built) buildResult(r, options, clock);
     if (built && r.certificate.valid) break;
     if (r.fallbackComponents == r.mesh.componentCount) {
       if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");

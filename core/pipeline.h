@@ -16,6 +16,7 @@ struct PipelineOptions {
   std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
   double tolerance = 1e-6;  // of planarity, relative to the domain's size
   double timeLimit = 0;     // seconds for the whole run; 0: none
+  bool relax = true;        // move nodes to where blocks have a better shape
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 

@@ -29,7 +29,7 @@ template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const
       const Index tag = blocks.tags[b][at(f)];
       if (tag == kNone) continue;
       for (int k = 0; k < 1 << (N - 1); ++k)
-        found.push_back({blocks.blocks[b][at(faceCorner<N>(f, k))], mesh.sideKey(tag)});
+        found.push_back({blocks.blocks[b][at(faceCorner<N>(f, k))], mesh.sideKey(tag) / 2});
     }
   sortByIndex(found, blocks.positions.size(), [](const auto &f) { return f[0]; });
   found.erase(std::unique(found.begin(), found.end()), found.end());

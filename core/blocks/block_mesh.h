@@ -31,7 +31,7 @@ template <int N> constexpr int faceCorner(int f, int k) {
 template <int N>
 BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Primal<N> &primal);
 
-/// Per node: the patches of facets that it lies on (ReferenceMesh::sideKey), ascending.
+/// Per node: the patches of facets that it lies on (half of ReferenceMesh::sideKey), ascending.
 template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const BlockMesh<N> &blocks);
 
 /// Per node: its blocks, ascending.

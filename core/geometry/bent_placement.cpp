@@ -2,30 +2,10 @@
 
 #include <limits>
 
+#include "geometry/nearest.h"
+
 namespace dualblock {
 namespace {
-
-/// The point of a triangle next to x, by barycentric regions.
-Vec<3> nearestOnTriangle(const Vec<3> &x, const Vec<3> &a, const Vec<3> &b, const Vec<3> &c) {
-  const auto onSegment = [&](const Vec<3> &p, const Vec<3> &q) {
-    const Vec<3> d = q - p;
-    const double square = glm::dot(d, d);
-    return p + (square > 0 ? std::clamp(glm::dot(x - p, d) / square, 0.0, 1.0) : 0.0) * d;
-  };
-  Vec<3> best = onSegment(a, b);
-  for (const Vec<3> &y : {onSegment(b, c), onSegment(c, a)})
-    if (glm::length(y - x) < glm::length(best - x)) best = y;
-  const Vec<3> u = b - a;
-  const Vec<3> v = c - a;
-  const double uu = glm::dot(u, u);
-  const double uv = glm::dot(u, v);
-  const double vv = glm::dot(v, v);
-  const double det = uu * vv - uv * uv;
-  if (det <= 0) return best;
-  const double s = (vv * glm::dot(x - a, u) - uv * glm::dot(x - a, v)) / det;
-  const double t = (uu * glm::dot(x - a, v) - uv * glm::dot(x - a, u)) / det;
-  return s >= 0 && t >= 0 && s + t <= 1 ? a + s * u + t * v : best;
-}
 
 Vec<3> nearestOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side, const Vec<3> &x) {
   Vec<3> best = x;

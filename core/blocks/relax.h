@@ -1,0 +1,32 @@
+// Relaxation: nodes move to where blocks have a better shape, and never to where one is not valid.
+#pragma once
+
+#include "blocks/freedom.h"
+
+namespace dualblock {
+
+struct RelaxOptions {
+  int sweeps = 12;      // over all nodes, at most
+  int worstRounds = 30; // over the nodes around the worst corners, at most
+};
+
+struct RelaxResult {
+  int sweeps = 0;
+  Index moves = 0;
+};
+
+/// Moves nodes one by one. First all of them, down a mean over the corners around each of the angles' and the
+/// edges' distortion, which evens out sizes as well; then those around the worst corners, up the smallest
+/// scaled Jacobian around each. A move is taken only if every Bezier coefficient of the blocks around the
+/// node is clearly positive afterwards, or no worse than it was. `isWanted`: per node, whether it may move;
+/// empty: all.
+template <int N>
+RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOptions &options,
+                  const std::vector<bool> &isWanted = {});
+
+extern template RelaxResult relax(const Freedom<2> &, BlockMesh<2> &, const RelaxOptions &,
+                                  const std::vector<bool> &);
+extern template RelaxResult relax(const Freedom<3> &, BlockMesh<3> &, const RelaxOptions &,
+                                  const std::vector<bool> &);
+
+} // namespace dualblock

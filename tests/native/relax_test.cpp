@@ -1,0 +1,117 @@
+// Relaxation: better shapes, never a worse worst one, nodes within what they lie on.
+#include "blocks/relax.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "geometry/jacobian.h"
+#include "support/random_domains.h"
+#include "support/round_solids.h"
+
+namespace dualblock::test {
+namespace {
+
+template <int N> double worstOf(const BlockMesh<N> &mesh) {
+  double worst = 1;
+  for (const auto &block : mesh.blocks)
+    worst = std::min(worst, scaledJacobian<N>(cornersOf<N>(block, mesh.positions)));
+  return worst;
+}
+
+template <int N> PipelineResult<N> unrelaxed(const Domain<N> &domain) {
+  PipelineOptions options;
+  options.relax = false;
+  return run(domain, options);
+}
+
+template <int N> Certificate certifyAlone(const PipelineResult<N> &r, const BlockMesh<N> &mesh) {
+  return certifyBlocks<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, mesh, r.domain.deviation});
+}
+
+// The same figures as other all-hexahedra methods, or better, on the same shapes.
+TEST(Relax, FiguresOfTheExamples) {
+  const auto worst = [](const char *name) { return minimumQuality(run(loadExample<3>(name))); };
+  EXPECT_GE(worst("tapered_brick"), 0.92);
+  EXPECT_GE(worst("extruded_pentagon"), 0.95);
+  EXPECT_GE(worst("double_pyramid"), 0.50 - 1e-9);
+  EXPECT_GE(worst("hexagonal_pyramid"), 0.22);
+  EXPECT_GE(worst("house"), 0.707);
+  for (const char *name :
+       {"square_ring", "protrusion", "l_shape_extruded", "u_shape_extruded", "notched_cube"})
+    EXPECT_NEAR(worst(name), 1, 1e-9) << name;
+}
+
+TEST(Relax, BentSidesStayOnTheirSurface) {
+  for (const Domain<3> &domain : {torus(24, 12), shaft(24), ball(24)}) {
+    SCOPED_TRACE(domain.name);
+    const auto before = unrelaxed(domain);
+    const auto after = run(domain);
+    EXPECT_TRUE(after.certificate.valid) << failuresOf(after.certificate);
+    EXPECT_GT(minimumQuality(after), 0.7);
+    EXPECT_GT(minimumQuality(after), minimumQuality(before));
+  }
+}
+
+// Nodes thrown about on a mesh of boxes come back: every angle is right again, and features are where they
+// were.
+TEST(Relax, BoxesComeBack) {
+  const auto r = unrelaxed(loadExample<3>("protrusion"));
+  BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+  const Freedom<3> freedom(r.mesh, r.features, r.featureNodes, mesh);
+  std::mt19937 random(7);
+  double shortest = r.mesh.size;
+  for (const PrimalEdge &e : r.primal.edges)
+    shortest =
+        std::min(shortest, glm::length(mesh.positions[at(e.nodes[1])] - mesh.positions[at(e.nodes[0])]));
+  Index fixed = 0;
+  for (Index v = 0; v < mesh.nodeCount(); ++v) {
+    fixed += freedom.isFixed(v) ? 1 : 0;
+    for (const Vec<3> &d : freedom.directions(v, mesh.positions[at(v)]))
+      mesh.positions[at(v)] += 0.25 * shortest * (static_cast<double>(random()) / 2147483648.0 - 1) * d;
+  }
+  EXPECT_EQ(at(fixed), r.domain.domain.vertices.size());
+  EXPECT_LT(worstOf(mesh), 0.9);
+  EXPECT_TRUE(certifyAlone(r, mesh).valid);
+  RelaxOptions many;
+  many.sweeps = 60;
+  relax(freedom, mesh, many);
+  EXPECT_GT(worstOf(mesh), 0.999);
+  EXPECT_TRUE(certifyAlone(r, mesh).valid);
+}
+
+TEST(Relax, NeverWorseAtItsWorst) {
+  double before = 0;
+  double after = 0;
+  for (const int kind : {0, 1, 5, 6})
+    for (std::uint32_t seed = 1; seed <= 25; ++seed) {
+      const auto r = unrelaxed(randomSolid(kind, seed));
+      if (!r.certificate.valid) continue; // not without relaxation
+      BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+      const double first = worstOf(mesh);
+      relax(Freedom<3>(r.mesh, r.features, r.featureNodes, mesh), mesh, {});
+      EXPECT_GE(worstOf(mesh), first - 1e-12) << kind << " " << seed;
+      EXPECT_TRUE(certifyAlone(r, mesh).valid) << kind << " " << seed;
+      before += first;
+      after += worstOf(mesh);
+    }
+  std::cout << "100 solids: mean of the smallest scaled Jacobians " << before / 100 << " before, "
+            << after / 100 << " after\n";
+  EXPECT_GT(after, 1.1 * before);
+}
+
+TEST(Relax, InTwoDimensions) {
+  const auto r = unrelaxed(loadExample<2>("pentagon_2d"));
+  BlockMesh<2> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+  const Freedom<2> freedom(r.mesh, r.features, r.featureNodes, mesh);
+  for (Index v = 0; v < mesh.nodeCount(); ++v)
+    if (freedom.directions(v, mesh.positions[at(v)]).size() == 2) mesh.positions[at(v)] += Vec<2>(0.2, 0.1);
+  const double moved = worstOf(mesh);
+  relax(freedom, mesh, {});
+  EXPECT_GT(worstOf(mesh), moved);
+  EXPECT_GE(worstOf(mesh), 0.94);
+  EXPECT_TRUE(certifyAlone(r, mesh).valid);
+}
+
+} // namespace
+} // namespace dualblock::test
