@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <random>
 
 #include "base/sort.h"
@@ -173,6 +174,20 @@ bool coversFacets(const Tetrahedra &mesh, const std::vector<Facet> &facets) {
   return true;
 }
 
+/// Whether a tetrahedron has no volume beyond rounding, as TetGen leaves some between coplanar vertices.
+bool hasFlat(const Tetrahedra &mesh) {
+  constexpr double kFlat = 1e-14; // of the cube of the longest edge
+  return std::any_of(mesh.simplices.begin(), mesh.simplices.end(), [&](const std::array<Index, 4> &s) {
+    std::array<Vec<3>, 3> e;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      e[k] = mesh.nodes[at(s[k + 1])] - mesh.nodes[at(s[0])];
+      longest = std::max(longest, glm::length(e[k]));
+    }
+    return std::abs(glm::dot(e[0], glm::cross(e[1], e[2]))) <= kFlat * longest * longest * longest;
+  });
+}
+
 Error explain(int code) {
   switch (code) {
   case 1:
@@ -197,6 +212,7 @@ Error explain(int code) {
 Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
                              const TetgenOptions &options) {
   int lastCode = 2;
+  std::optional<Tetrahedra> flawed; // what has flat tetrahedra may still serve, if there is no other
   const auto start = std::chrono::steady_clock::now();
   for (const Attempt &attempt : kAttempts) {
     const bool plain = !attempt.snap && !attempt.shift;
@@ -223,8 +239,10 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
     if (!locateFaces(mesh) || !coversFacets(mesh, facets)) continue;
     mesh.remedy = attempt.remedy;
     mesh.milliseconds = spent.count();
-    return mesh;
+    if (!hasFlat(mesh)) return mesh;
+    if (!flawed) flawed = std::move(mesh);
   }
+  if (flawed) return *flawed;
   return explain(lastCode);
 }
 
