@@ -90,7 +90,7 @@ bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector
 
 /// The primal's nodes, moved to where its blocks have a better shape.
 template <int N> void relaxPrimal(PipelineResult<N> &r) {
-  BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.primal);
+  BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
   const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks);
   relax(freedom, blocks, {});
   r.primal.positions = std::move(blocks.positions);
@@ -102,7 +102,7 @@ template <int N> void buildResult(PipelineResult<N> &r, const PipelineOptions &o
   clock.start("placement", 0.8);
   placeNodes(r.mesh, r.parts, r.dual, r.primal);
   std::vector<Vec<N>> placed = r.primal.positions;
-  if (options.relax) {
+  if (options.mode.relax) {
     clock.start("relaxation", 0.85);
     relaxPrimal(r);
   }
@@ -113,7 +113,7 @@ template <int N> void buildResult(PipelineResult<N> &r, const PipelineOptions &o
   };
   judge();
   if (!r.certificate.valid &&
-      options.relax) { // where bent sides nearly touch, the first places may serve better
+      options.mode.relax) { // where bent sides nearly touch, the first places may serve better
     std::swap(r.primal.positions, placed);
     const Certificate relaxed = std::move(r.certificate);
     judge();
@@ -311,6 +311,16 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   if (decomposition.pulled)
     for (std::size_t c = 0; c < source.size(); ++c)
       if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
+  if (r.certificate.valid && (options.mode.mode != Mode::layered || !options.mode.extract.empty())) {
+    clock.start("extraction", 0.95);
+    const BlockMesh<N> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+    const BlockInput<N> input{r.domain.domain, r.features, r.featureNodes,
+                              r.mesh,          layered,    r.domain.deviation};
+    auto made = makeFinalMesh(input, r.certificate, options.mode);
+    if (!made.ok()) return made.error();
+    r.finalMesh = std::move(made.value());
+    r.certificate = r.finalMesh->certificate; // matching and cells have passed, on the layered mesh
+  }
   clock.stop();
   return r;
 }

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "certificate/certificate.h"
+#include "blocks/modes.h"
 #include "domain/prepare.h"
 #include "parts/choose.h"
 #include "parts/features.h"
@@ -16,7 +16,7 @@ struct PipelineOptions {
   std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
   double tolerance = 1e-6;  // of planarity, relative to the domain's size
   double timeLimit = 0;     // seconds for the whole run; 0: none
-  bool relax = true;        // move nodes to where blocks have a better shape
+  ModeOptions mode{};       // of the mesh that is handed out
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 
@@ -54,8 +54,9 @@ template <int N> struct PipelineResult {
   DualCells<N> dual;
   DualSurfaces surfaces;
   Primal<N> primal;
-  std::vector<double> quality; // per block: scaled Jacobian
-  Certificate certificate;
+  std::vector<double> quality;           // per block: scaled Jacobian
+  Certificate certificate;               // of what is handed out: the final mesh, where there is one
+  std::optional<FinalMesh<N>> finalMesh; // in place of the primal, where D-bar-surfaces have been extracted
   bool onlyMatching = false; // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;
 };

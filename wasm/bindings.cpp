@@ -152,6 +152,23 @@ template <int N> val primalToJs(const PipelineResult<N> &r) {
   return p;
 }
 
+/// The final mesh, or null where it is the primal.
+template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
+  if (!r.finalMesh) return val::null();
+  const BlockMesh<N> &blocks = r.finalMesh->blocks;
+  val m = val::object();
+  m.set("positions", toJs<double>(blocks.positions));
+  m.set("blocks", toJs<Index>(blocks.blocks));
+  m.set("blockPart", toJs<Index>(blocks.part));
+  m.set("blockSurfaces", toJs<Index>(blocks.surfaces));
+  m.set("quality", toJs<double>(r.finalMesh->quality));
+  m.set("extracted", toJs<Index>(r.finalMesh->extracted));
+  const BoundaryFaces<N> boundary = boundaryOf(blocks);
+  m.set("boundaryFaces", toJs<Index>(boundary.faces));
+  m.set("boundaryFacet", toJs<Index>(boundary.facet));
+  return m;
+}
+
 val certificateToJs(const Certificate &certificate, bool onlyMatching) {
   static constexpr const char *kChecks[] = {"matching", "cells", "topology", "geometry", "features"};
   val c = val::object();
@@ -188,6 +205,7 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   out.set("parts", partsToJs(r));
   out.set("contributions", dualToJs(r));
   out.set("primal", primalToJs(r));
+  out.set("mesh", finalMeshToJs(r));
   out.set("certificate", certificateToJs(r.certificate, r.onlyMatching));
   val timings = val::object();
   for (const StageTime &t : r.timings) timings.set(t.stage, t.milliseconds);
@@ -211,7 +229,8 @@ template <typename Work> val guarded(Work work) {
   }
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit}, every one a number in its range.
+/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, coarsest}, every one a number in
+/// its range, and extract, an array of whole numbers.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -232,8 +251,19 @@ Result<PipelineOptions> readOptions(const val &settings) {
   const double featureAngle =
       take("featureAngle", -1, 180, "degrees from 0 to 180, or a number below 0 for the automatic choice.");
   const double timeLimit = take("timeLimit", 0, Double::max(), "seconds, or 0 for no limit.");
+  const double relax = take("relax", 0, 1, "true or false.");
+  const double coarsest = take("coarsest", 0, 1, "the mode layered or coarsest.");
+  std::vector<Index> surfaces;
+  const val extract = settings["extract"];
+  for (unsigned k = 0, n = extract.isArray() ? extract["length"].as<unsigned>() : 0; k < n; ++k) {
+    const double id = extract[k].isNumber() ? extract[k].as<double>() : -1;
+    if (!(id >= 0 && id <= std::numeric_limits<Index>::max()) || id != std::floor(id))
+      return Error{ErrorCode::badOption, "A D̄-surface to extract is no whole number from 0 on.", {}};
+    surfaces.push_back(static_cast<Index>(id));
+  }
   if (wrong) return *wrong;
   PipelineOptions options;
+  options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0};
   options.edgeLength = edgeLength;
   options.seed = static_cast<std::uint32_t>(seed);
   options.tolerance = tolerance;

@@ -46,7 +46,9 @@ export class Dualblock {
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
     const wanted = { ...defaultSettings, ...settings };
     const featureAngle = wanted.featureAngle === 'auto' ? -1 : wanted.featureAngle;
-    const answer = this.session.run({ ...wanted, featureAngle }, progress);
+    const { mode, relax } = wanted;
+    const numbers = { featureAngle, coarsest: Number(mode === 'coarsest'), relax: Number(relax) };
+    const answer = this.session.run({ ...wanted, ...numbers }, progress);
     return answer.ok ? answer : raise(answer.error, answer.given);
   }
 

@@ -9,6 +9,11 @@ declare module '*/build/dualblock.mjs' {
     /** Below 0: automatic. */
     featureAngle: number;
     timeLimit: number;
+    /** 0 or 1. */
+    relax: number;
+    /** 0: the layered mesh, 1: as coarse as can be. */
+    coarsest: number;
+    extract: number[];
   }
 
   export interface RawSession {

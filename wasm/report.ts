@@ -18,7 +18,7 @@ export interface FeatureTally {
 
 /** A run's result as a plain object, ready for JSON. `memory` is the core's peak in bytes. */
 export function makeReport(result: RunResult, settings: Settings, memory: number) {
-  const { domain, reference, parts, contributions, primal, certificate } = result;
+  const { domain, reference, parts, contributions, primal, mesh, certificate } = result;
   return {
     format: reportFormat,
     version,
@@ -73,9 +73,15 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       faces: primal.faces.length / 4,
       blocks: primal.quality.length,
     },
+    mesh: {
+      mode: settings.mode,
+      extracted: Array.from(mesh?.extracted ?? []),
+      nodes: (mesh ?? primal).positions.length / result.dimension,
+      blocks: (mesh ?? primal).quality.length,
+    },
     certificate,
     features: { curves: tallyFeatures(result), vertices: tallyVertices(result) },
-    quality: { scaledJacobian: summarize(primal.quality) },
+    quality: { scaledJacobian: summarize((mesh ?? primal).quality) },
     timings: result.timings,
     peakMemory: memory,
   };
@@ -141,7 +147,7 @@ export function summarize(values: Float64Array) {
 
 /** The report in a few lines for people. */
 export function describe(report: Report): string {
-  const { input, reference, parts, primal, certificate } = report;
+  const { input, reference, parts, primal, mesh, certificate } = report;
   if (primal.blocks === 0 && certificate.cells === null) return describeMatching(report);
   const kind = input.dimension === 2 ? 'quadrilaterals' : 'hexahedra';
   const confined = parts.confinedFallback.parts;
@@ -155,6 +161,9 @@ export function describe(report: Report): string {
   const off = (100 * (meshMeasure - domainMeasure)) / domainMeasure;
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
+    mesh.extracted.length > 0
+      ? `  ${mesh.extracted.length} D̄-surfaces extracted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
+      : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
     certificate.isExact

@@ -150,6 +150,22 @@ export interface RunResult {
     boundaryFaces: Int32Array;
     boundaryFacet: Int32Array;
   };
+  /**
+   * The mesh that is handed out where D̄-surfaces have been extracted; null where it is the primal. `surfaces` numbers
+   * those of the layered mesh.
+   */
+  mesh: {
+    positions: Float64Array;
+    blocks: Int32Array;
+    blockPart: Int32Array;
+    /** Per block, the D̄-surface that crosses it along each axis. */
+    blockSurfaces: Int32Array;
+    quality: Float64Array;
+    /** D̄-surfaces, in the order that they went. */
+    extracted: Int32Array;
+    boundaryFaces: Int32Array;
+    boundaryFacet: Int32Array;
+  } | null;
   certificate: Certificate;
   /** Milliseconds per stage. */
   timings: Record<string, number>;

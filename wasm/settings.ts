@@ -1,6 +1,9 @@
 // What a run can be asked for, and what can be loaded; without the core, so that the page can have it for little.
 import { DualblockError } from './io/errors.ts';
 
+export const modes = ['layered', 'coarsest'] as const;
+export type Mode = (typeof modes)[number];
+
 export interface Settings {
   /** Longest edge of the reference mesh, in the units of the input; 0 for the coarsest. */
   edgeLength: number;
@@ -13,6 +16,12 @@ export interface Settings {
    * facets join.
    */
   featureAngle: number | 'auto';
+  /** The mesh that is handed out: a layer of blocks along every side, or as few blocks as can be. */
+  mode: Mode;
+  /** D̄-surfaces of the layered mesh to extract, in this order; before coarsening, in the mode for that. */
+  extract: number[];
+  /** Move nodes to where blocks have a better shape. */
+  relax: boolean;
   /** Seconds that a run may take; 0 for as long as it needs. */
   timeLimit: number;
 }
@@ -22,6 +31,9 @@ export const defaultSettings: Settings = {
   seed: 0,
   tolerance: 1e-6,
   featureAngle: 'auto',
+  mode: 'layered',
+  extract: [],
+  relax: true,
   timeLimit: 0,
 };
 

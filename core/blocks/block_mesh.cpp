@@ -1,21 +1,23 @@
 #include "blocks/block_mesh.h"
 
-#include "base/disjoint_sets.h"
 #include "base/sort.h"
 
 namespace dualblock {
 
 template <int N>
-BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Primal<N> &primal) {
+BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualSurfaces &surfaces,
+                           const Primal<N> &primal) {
   BlockMesh<N> result;
   result.positions = primal.positions;
   for (const Block<N> &block : primal.blocks) {
     result.blocks.push_back(block.nodes);
     result.part.push_back(block.part);
     auto &tags = result.tags.emplace_back();
+    auto &crossing = result.surfaces.emplace_back();
     tags.fill(kNone); // low faces are towards the part's centre
     for (std::size_t a = 0; a < N; ++a) {
       const Index tag = parts.sides[at(block.sides[a])].tag;
+      crossing[a] = surfaces.ofSide[at(block.sides[a])];
       if (mesh.surfaces[at(FaceTag::surface(tag))].kind == SurfaceKind::facet) tags[2 * a + 1] = tag;
     }
   }
@@ -55,40 +57,11 @@ template <int N> Lists<Index> blocksOfNodes(const BlockMesh<N> &blocks) {
   return lists;
 }
 
-template <int N> Sheets<N> findSheets(const BlockMesh<N> &blocks) {
-  // Parallel edges of a block belong together; so do those of neighbours that are one edge.
-  struct Edge {
-    std::array<Index, 2> nodes;
-    Index slot; // block and axis
-  };
-  std::vector<Edge> edges;
-  edges.reserve(blocks.blocks.size() * (N << (N - 1)));
-  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t low = 0; low < 1U << N; ++low) {
-        if (kBlockBits<N>[low] >> a & 1) continue;
-        std::size_t high = 0;
-        while (kBlockBits<N>[high] != (kBlockBits<N>[low] | 1U << a)) ++high;
-        edges.push_back({sortedPair(blocks.blocks[b][low], blocks.blocks[b][high]), toIndex(N * b + a)});
-      }
-  sortByIndex(
-      edges, blocks.positions.size(), [](const Edge &e) { return e.nodes[0]; },
-      [](const Edge &a, const Edge &b) { return std::tie(a.nodes, a.slot) < std::tie(b.nodes, b.slot); });
-  DisjointSets sets(N * blocks.blocks.size());
-  for (std::size_t e = 0; e + 1 < edges.size(); ++e)
-    if (edges[e].nodes == edges[e + 1].nodes) sets.unite(edges[e].slot, edges[e + 1].slot);
-  Sheets<N> sheets;
-  const std::vector<Index> number = sets.numbering(sheets.count);
-  sheets.ofBlock.resize(blocks.blocks.size());
-  for (std::size_t slot = 0; slot < number.size(); ++slot) sheets.ofBlock[slot / N][slot % N] = number[slot];
-  return sheets;
-}
-
 #define DUALBLOCK_DEFINE(N)                                                                                  \
-  template BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &, const Parts<N> &, const Primal<N> &);        \
+  template BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &, const Parts<N> &, const DualSurfaces &,      \
+                                      const Primal<N> &);                                                    \
   template Lists<Index> patchesOfNodes(const ReferenceMesh<N> &, const BlockMesh<N> &);                      \
-  template Lists<Index> blocksOfNodes(const BlockMesh<N> &);                                                 \
-  template Sheets<N> findSheets(const BlockMesh<N> &);
+  template Lists<Index> blocksOfNodes(const BlockMesh<N> &);
 DUALBLOCK_DEFINE(2)
 DUALBLOCK_DEFINE(3)
 #undef DUALBLOCK_DEFINE

@@ -13,6 +13,8 @@ template <int N> struct BlockMesh {
   /// Per block and face 2a, 2a + 1, the low and the high end of axis a: the FaceTag of the domain's facet
   /// that the face lies on, as seen from the block, or kNone.
   std::vector<std::array<Index, 2 * N>> tags;
+  std::vector<std::array<Index, N>>
+      surfaces;            // per block and axis: the D-bar-surface that crosses it along that axis
   std::vector<Index> part; // per block: of the cuts' parts, the one that it fills a corner of
 
   Index nodeCount() const { return toIndex(positions.size()); }
@@ -29,7 +31,8 @@ template <int N> constexpr int faceCorner(int f, int k) {
 
 /// The primal as it is: one layer of blocks along every side.
 template <int N>
-BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const Primal<N> &primal);
+BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualSurfaces &surfaces,
+                           const Primal<N> &primal);
 
 /// Per node: the patches of facets that it lies on (half of ReferenceMesh::sideKey), ascending.
 template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const BlockMesh<N> &blocks);
@@ -37,19 +40,11 @@ template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const
 /// Per node: its blocks, ascending.
 template <int N> Lists<Index> blocksOfNodes(const BlockMesh<N> &blocks);
 
-/// The D-bar-surfaces of a block mesh, each the blocks that parallel edges belong to: per block and axis the
-/// number of the surface that crosses it along that axis.
-template <int N> struct Sheets {
-  std::vector<std::array<Index, N>> ofBlock;
-  Index count = 0;
-};
-template <int N> Sheets<N> findSheets(const BlockMesh<N> &blocks);
-
 #define DUALBLOCK_DECLARE(N)                                                                                 \
-  extern template BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &, const Parts<N> &, const Primal<N> &); \
+  extern template BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &, const Parts<N> &,                     \
+                                             const DualSurfaces &, const Primal<N> &);                       \
   extern template Lists<Index> patchesOfNodes(const ReferenceMesh<N> &, const BlockMesh<N> &);               \
-  extern template Lists<Index> blocksOfNodes(const BlockMesh<N> &);                                          \
-  extern template Sheets<N> findSheets(const BlockMesh<N> &);
+  extern template Lists<Index> blocksOfNodes(const BlockMesh<N> &);
 DUALBLOCK_DECLARE(2)
 DUALBLOCK_DECLARE(3)
 #undef DUALBLOCK_DECLARE

@@ -10,16 +10,23 @@
 namespace dualblock {
 namespace {
 
-/// Completes orthonormal vectors to a basis; returns what was added.
-template <int N> std::vector<Vec<N>> complement(std::vector<Vec<N>> basis) {
+/// An orthonormal basis of what is perpendicular to all of the given unit vectors.
+template <int N> std::vector<Vec<N>> complement(const std::vector<Vec<N>> &normals) {
+  constexpr double kSame = 1e-5; // sine of an angle between planes that count as one
+  std::vector<Vec<N>> basis;
+  const auto rest = [&](Vec<N> v) {
+    for (const Vec<N> &b : basis) v -= glm::dot(v, b) * b;
+    return v;
+  };
+  for (const Vec<N> &n : normals)
+    if (const Vec<N> v = rest(n); glm::length(v) > kSame) basis.push_back(glm::normalize(v));
   std::vector<Vec<N>> added;
   while (basis.size() < N) {
     Vec<N> best{0.0};
     for (int k = 0; k < N; ++k) {
       Vec<N> unit{0.0};
       unit[k] = 1;
-      for (const Vec<N> &b : basis) unit -= glm::dot(unit, b) * b;
-      if (glm::length(unit) > glm::length(best) + 1e-9) best = unit;
+      if (const Vec<N> v = rest(unit); glm::length(v) > glm::length(best) + 1e-9) best = v;
     }
     basis.push_back(glm::normalize(best));
     added.push_back(basis.back());
@@ -58,7 +65,7 @@ Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
       std::array<Index, 2> patch;
       for (std::size_t k = 0; k < 2; ++k)
         patch[k] = mesh.sideKey(features.sides[at(features.curves[c].sides[k])].tag) / 2;
-      if (isBent(patch[0]) || isBent(patch[1])) order.emplace_back(sortedPair(patch[0], patch[1]), c);
+      if (hasFaces(patch[0]) || hasFaces(patch[1])) order.emplace_back(sortedPair(patch[0], patch[1]), c);
     }
     sortItems(order);
     for (const auto &[patches, c] : order) {
@@ -70,15 +77,16 @@ Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
         curves_.back().push_back({featureNodes[at(a)], featureNodes[at(b)]});
     }
   }
-  // Corners are more patches than there are dimensions, or have a place that tells.
   std::vector<std::array<double, N>> corners;
   for (const Corner &corner : features.corners)
     corners.push_back(coordinates<N>(featureNodes[at(corner.node)]));
   sortItems(corners);
-  for (Index v = 0; v < blocks.nodeCount(); ++v)
-    fixed_[at(v)] = patches_.size(v) >= N ||
-                    (patches_.size(v) > 0 && std::binary_search(corners.begin(), corners.end(),
-                                                                coordinates<N>(blocks.positions[at(v)])));
+  for (Index v = 0; v < blocks.nodeCount(); ++v) {
+    const Vec<N> &x = blocks.positions[at(v)];
+    if (patches_.size(v) == 0) continue;
+    fixed_[at(v)] = std::binary_search(corners.begin(), corners.end(), coordinates<N>(x));
+    if (!fixed_[at(v)]) fixed_[at(v)] = directions(v, x).empty();
+  }
 }
 
 template <int N> void Freedom<N>::sortAlong(Patch &patch) {
@@ -145,28 +153,33 @@ template <int N> typename Freedom<N>::Nearest Freedom<N>::onCurve(Index a, Index
 template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Vec<N> &x) const {
   if (fixed_[at(node)]) return {};
   const Index *const p = patches_.begin(node);
-  if (patches_.size(node) == 0) return complement<N>({});
-  if (patches_.size(node) == 1)
-    return complement<N>({isBent(p[0]) ? onSide(p[0], x).direction : normals_[at(p[0])]});
-  if constexpr (N == 3) {
-    if (isBent(p[0]) || isBent(p[1])) {
-      const Vec<3> direction = onCurve(p[0], p[1], x).direction;
-      if (direction == Vec<3>(0.0)) return {}; // where bent sides go through one another: it stays
-      return {direction};
-    }
-    const Vec<3> direction = glm::cross(normals_[at(p[0])], normals_[at(p[1])]);
-    if (glm::length(direction) < 1e-6) return {};
-    return {glm::normalize(direction)};
+  if (isBent(node)) {
+    if (patches_.size(node) == 1) return complement<N>({onSide(p[0], x).direction});
+    if (patches_.size(node) > 2) return {};
+    const Vec<N> direction = onCurve(p[0], p[1], x).direction;
+    if (direction == Vec<N>(0.0)) return {}; // no curve: where bent sides touch, it stays
+    return {direction};
   }
-  return {};
+  std::vector<Vec<N>> normals; // of an assembly's curve three patches or more may share one line
+  for (Index k = 0; k < patches_.size(node); ++k) normals.push_back(normals_[at(p[k])]);
+  return complement<N>(normals);
 }
 
 template <int N> Vec<N> Freedom<N>::project(Index node, const Vec<N> &x) const {
   const Index *const p = patches_.begin(node);
-  if (patches_.size(node) == 1 && isBent(p[0])) return onSide(p[0], x).point;
-  if (N == 3 && patches_.size(node) == 2 && (isBent(p[0]) || isBent(p[1])))
-    return onCurve(p[0], p[1], x).point;
-  return x;
+  if (!isBent(node)) return x;
+  return patches_.size(node) == 1 ? onSide(p[0], x).point : onCurve(p[0], p[1], x).point;
+}
+
+template <int N> Index Freedom<N>::commonPatches(Index a, Index b) const {
+  Index count = 0;
+  for (const Index *p = patches_.begin(a); p != patches_.end(a); ++p)
+    count += std::binary_search(patches_.begin(b), patches_.end(b), *p) ? 1 : 0;
+  return count;
+}
+
+template <int N> bool Freedom<N>::isBent(Index node) const {
+  return std::any_of(patches_.begin(node), patches_.end(node), [&](Index p) { return hasFaces(p); });
 }
 
 template class Freedom<2>;

@@ -19,6 +19,10 @@ public:
   Vec<N> project(Index node, const Vec<N> &x) const;
 
   bool isFixed(Index node) const { return fixed_[at(node)]; }
+  Index patchCount(Index node) const { return patches_.size(node); }
+  Index commonPatches(Index a, Index b) const;
+  /// Whether it lies on a bent side.
+  bool isBent(Index node) const;
 
 private:
   using Face = std::array<Vec<N>, N>;
@@ -30,7 +34,7 @@ private:
   static void sortAlong(Patch &patch);
   Nearest onSide(Index patch, const Vec<N> &x) const;
   Nearest onCurve(Index a, Index b, const Vec<N> &x) const;
-  bool isBent(Index patch) const { return !bent_[at(patch)].faces.empty(); }
+  bool hasFaces(Index patch) const { return !bent_[at(patch)].faces.empty(); }
 
   Lists<Index> patches_;
   std::vector<bool> fixed_;

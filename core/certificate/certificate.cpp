@@ -27,7 +27,7 @@ void checkBlocks(const BlockInput<N> &in, const BlockComplex<N> &complex, Certif
 template <int N> Certificate certify(const CertificateInput<N> &in) {
   Certificate certificate;
   checkMatching(in, certificate);
-  const BlockMesh<N> blocks = layeredBlocks(in.mesh, in.parts, in.primal);
+  const BlockMesh<N> blocks = layeredBlocks(in.mesh, in.parts, in.surfaces, in.primal);
   const BlockInput<N> input{in.domain, in.features, in.featureNodes, in.mesh, blocks, in.facetDeviation};
   const BlockComplex<N> complex = buildBlockComplex(input);
   checkCells(in, complex, certificate);

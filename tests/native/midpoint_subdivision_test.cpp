@@ -40,7 +40,7 @@ TEST_P(MidpointOracle, IsomorphicToThePrimal) {
       PipelineOptions options;
       options.edgeLength = edgeLength;
       options.seed = seed;
-      options.relax = false; // the oracle knows the first places only
+      options.mode.relax = false; // the oracle knows the first places only
       std::visit([&](const auto &domain) { expectMidpointSubdivision(run(domain, options)); },
                  loadExample(GetParam()));
     }

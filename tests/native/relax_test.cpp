@@ -21,7 +21,7 @@ template <int N> double worstOf(const BlockMesh<N> &mesh) {
 
 template <int N> PipelineResult<N> unrelaxed(const Domain<N> &domain) {
   PipelineOptions options;
-  options.relax = false;
+  options.mode.relax = false;
   return run(domain, options);
 }
 
@@ -57,7 +57,7 @@ TEST(Relax, BentSidesStayOnTheirSurface) {
 // were.
 TEST(Relax, BoxesComeBack) {
   const auto r = unrelaxed(loadExample<3>("protrusion"));
-  BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+  BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
   const Freedom<3> freedom(r.mesh, r.features, r.featureNodes, mesh);
   std::mt19937 random(7);
   double shortest = r.mesh.size;
@@ -87,7 +87,7 @@ TEST(Relax, NeverWorseAtItsWorst) {
     for (std::uint32_t seed = 1; seed <= 25; ++seed) {
       const auto r = unrelaxed(randomSolid(kind, seed));
       if (!r.certificate.valid) continue; // not without relaxation
-      BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+      BlockMesh<3> mesh = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
       const double first = worstOf(mesh);
       relax(Freedom<3>(r.mesh, r.features, r.featureNodes, mesh), mesh, {});
       EXPECT_GE(worstOf(mesh), first - 1e-12) << kind << " " << seed;
@@ -102,7 +102,7 @@ TEST(Relax, NeverWorseAtItsWorst) {
 
 TEST(Relax, InTwoDimensions) {
   const auto r = unrelaxed(loadExample<2>("pentagon_2d"));
-  BlockMesh<2> mesh = layeredBlocks(r.mesh, r.parts, r.primal);
+  BlockMesh<2> mesh = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
   const Freedom<2> freedom(r.mesh, r.features, r.featureNodes, mesh);
   for (Index v = 0; v < mesh.nodeCount(); ++v)
     if (freedom.directions(v, mesh.positions[at(v)]).size() == 2) mesh.positions[at(v)] += Vec<2>(0.2, 0.1);

@@ -78,6 +78,9 @@ describe('a certified mesh', () => {
       featureAngle: 'auto',
       timeLimit: 0,
       tolerance: 1e-7,
+      mode: 'layered',
+      extract: [],
+      relax: true,
     });
     expect(report.reference.refinement).toBe(0.9);
     expect(report.primal.blocks).toBe(8);

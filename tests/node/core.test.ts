@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../wasm/dualblock.ts';
 import { featureKinds, makeReport, tallyFeatures } from '../../wasm/report.ts';
 import type { RunResult } from '../../wasm/result.ts';
+import { defaultSettings } from '../../wasm/settings.ts';
 import { checkArrays } from './support/check-arrays.ts';
 import {
   countsOf,
@@ -249,7 +250,7 @@ describe('determinism', () => {
 describe('reports', () => {
   it('have what the contract says', () => {
     const result = runExample(core, 'square_ring');
-    const settings = { edgeLength: 0, seed: 0, tolerance: 1e-6, featureAngle: 'auto' as const, timeLimit: 0 };
+    const settings = defaultSettings;
     const report = makeReport(result, settings, core.memory().peak);
     expect(report).toMatchObject({
       format: 'dualblock-report/1',

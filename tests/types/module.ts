@@ -7,7 +7,16 @@ import { makeReport, type Report } from '../../wasm/report.ts';
 import type { Check, RunResult } from '../../wasm/result.ts';
 
 export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
-  const settings: Settings = { edgeLength: 0.5, seed: 1, tolerance: 1e-6, featureAngle: 20, timeLimit: 60 };
+  const settings: Settings = {
+    edgeLength: 0.5,
+    seed: 1,
+    tolerance: 1e-6,
+    featureAngle: 20,
+    timeLimit: 60,
+    mode: 'coarsest',
+    extract: [3],
+    relax: false,
+  };
   const progress: Progress = (stage, done) => console.log(stage.toUpperCase(), done.toFixed(2));
   const core = await Dualblock.create({ wasmBinary: bytes });
   try {

@@ -18,12 +18,13 @@ export function readMeshJson(bytes: Uint8Array): Mesh {
   const { dimension, name } = file;
   if (dimension !== 2 && dimension !== 3)
     throw syntaxError(1, '"dimension" is neither 2 nor 3', 'correct it');
-  const primal = objectMember(file, 'primal');
-  const positions = arrayMember(primal, 'positions', '"primal"');
-  const ids = arrayMember(primal, 'blocks', '"primal"');
+  const member = file['mesh'] instanceof Object ? 'mesh' : 'primal'; // where D̄-surfaces have been extracted, or not
+  const arrays = objectMember(file, member);
+  const positions = arrayMember(arrays, 'positions', `"${member}"`);
+  const ids = arrayMember(arrays, 'blocks', `"${member}"`);
   const corners = blockCorners(dimension);
   if (positions.length % dimension !== 0 || ids.length % corners !== 0)
-    throw syntaxError(1, 'the arrays of "primal" end inside a node or block', 'write the file again');
+    throw syntaxError(1, `the arrays of "${member}" end inside a node or block`, 'write the file again');
   if (ids.length === 0) throw syntaxError(1, 'the file holds no blocks', 'make a mesh of the domain first');
 
   const nodes = positions.length / dimension;

@@ -1,5 +1,6 @@
 // The command line as a value: strict, so that a slip never changes what is computed.
 import { parseArgs } from 'node:util';
+import { type Mode, modes } from '../settings.ts';
 import { findOption, nearestOption, options } from './options.ts';
 
 /** Settings that the command line gave; what is absent keeps its default. */
@@ -12,6 +13,9 @@ export interface GivenSettings {
   tolerance?: number;
   featureAngle?: number | 'auto';
   timeLimit?: number;
+  mode?: Mode;
+  extract?: number[];
+  relax?: false;
 }
 
 export type Source = { kind: 'file'; path: string } | { kind: 'example'; name: string };
@@ -86,12 +90,12 @@ export function parseArguments(words: readonly string[]): Command {
     outputs,
     report,
     quiet: given.has('quiet'),
-    settings: settingsOf(first),
+    settings: { ...settingsOf(first), ...meshSettingsOf(given) },
   };
 }
 
 function checkOf(inputs: string[], given: Map<string, string[]>): Command {
-  for (const name of ['output', 'reference', 'seed'])
+  for (const name of ['output', 'reference', 'seed', 'mode', 'extract', 'no-relax'])
     if (given.has(name)) throw new UsageError(`--${name} does not go with --check`, 'leave it out');
   const first = (name: string): string | undefined => given.get(name)?.[0];
   const [mesh, ...others] = inputs;
@@ -208,6 +212,25 @@ function settingsOf(first: (name: string) => string | undefined): GivenSettings 
   if (featureAngle !== undefined) settings.featureAngle = angleOf(featureAngle);
   if (timeLimit !== undefined)
     settings.timeLimit = between('time-limit', timeLimit, Infinity, 'seconds over 0');
+  return settings;
+}
+
+/** Which mesh is made of the layered one. */
+function meshSettingsOf(given: Map<string, string[]>): GivenSettings {
+  const settings: GivenSettings = {};
+  const mode = given.get('mode')?.[0];
+  if (mode !== undefined) {
+    const known = modes.find((m) => m === mode);
+    if (!known) throw badValue('mode', mode, 'layered or coarsest');
+    settings.mode = known;
+  }
+  const extract = given.get('extract');
+  if (extract)
+    settings.extract = extract.map((id) => {
+      if (/^\d{1,9}$/.test(id)) return Number(id);
+      throw badValue('extract', id, 'the number of a D̄-surface, from 0 on');
+    });
+  if (given.has('no-relax')) settings.relax = false;
   return settings;
 }
 

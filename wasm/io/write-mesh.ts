@@ -27,16 +27,17 @@ export function meshWriter(fileName: string): (result: RunResult) => string {
 }
 
 /** The block mesh of a result, as the writers take it. */
-export function blockMesh({ dimension, name, title, primal, parts }: RunResult): BlockMesh {
+export function blockMesh({ dimension, name, title, primal, parts, mesh }: RunResult): BlockMesh {
+  const { positions, blocks, blockPart, quality, boundaryFaces, boundaryFacet } = mesh ?? primal;
   const several = parts.region.some((region) => region !== parts.region[0]);
   return {
     dimension,
     name: title || name,
-    positions: primal.positions,
-    blocks: primal.blocks,
-    part: primal.blockPart,
-    ...(several ? { region: primal.blockPart.map((part) => parts.region[part]!) } : {}),
-    quality: primal.quality,
-    boundary: { faces: primal.boundaryFaces, facet: primal.boundaryFacet },
+    positions,
+    blocks,
+    part: blockPart,
+    ...(several ? { region: blockPart.map((part) => parts.region[part]!) } : {}),
+    quality,
+    boundary: { faces: boundaryFaces, facet: boundaryFacet },
   };
 }

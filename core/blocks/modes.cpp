@@ -1,0 +1,127 @@
+#include "blocks/modes.h"
+
+#include <cmath>
+
+#include "base/sort.h"
+#include "blocks/coarsen.h"
+#include "blocks/relax.h"
+#include "geometry/jacobian.h"
+
+namespace dualblock {
+namespace {
+
+constexpr double kGood = 0.3;       // scaled Jacobian that coarsening need not exceed
+constexpr double kShare = 0.6;      // of the layered mesh's worst: what it may go down to
+constexpr double kLessExact = 1.05; // of the layered mesh's error of volume, where sides are bent
+
+double errorOf(const Certificate &certificate) {
+  return std::abs(certificate.meshMeasure - certificate.domainMeasure);
+}
+
+template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks) {
+  std::vector<double> quality;
+  for (const auto &block : blocks.blocks)
+    quality.push_back(scaledJacobian<N>(cornersOf<N>(block, blocks.positions)));
+  return quality;
+}
+
+Error refusal(Index surface, const std::string &why) {
+  return {ErrorCode::badOption,
+          "D\u0304-surface " + std::to_string(surface) + " cannot be extracted: " + why +
+              ". Leave it out, or choose another one.",
+          {{"surface", surface}}};
+}
+
+} // namespace
+
+template <int N>
+Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
+                                   const ModeOptions &options) {
+  FinalMesh<N> result;
+  BlockMesh<N> &blocks = result.blocks;
+  blocks = layered.blocks;
+  const auto certified = [&](const BlockMesh<N> &mesh) {
+    return certifyBlocks<N>(
+        {layered.domain, layered.features, layered.featureNodes, layered.mesh, mesh, layered.facetDeviation});
+  };
+  const auto freedomOf = [&](const BlockMesh<N> &mesh) {
+    return Freedom<N>(layered.mesh, layered.features, layered.featureNodes, mesh);
+  };
+  for (const Index surface : options.extract) {
+    Extraction<N> next = extract(layered.mesh, freedomOf(blocks), blocks, surface);
+    if (!next.why.empty()) return refusal(surface, next.why);
+    if (options.relax) relax(freedomOf(next.blocks), next.blocks, {});
+    if (const Certificate c = certified(next.blocks); !c.valid)
+      return refusal(surface, c.failures[0].message);
+    blocks = std::move(next.blocks);
+    result.extracted.push_back(surface);
+  }
+  if (options.mode == Mode::coarsest) {
+    CoarsenOptions<N> coarsenOptions;
+    const std::vector<double> quality = qualityOf(blocks);
+    coarsenOptions.floor = std::min(kGood, kShare * *std::min_element(quality.begin(), quality.end()));
+    const double allowed = kLessExact * errorOf(certificate) + 1e-9 * std::abs(certificate.domainMeasure);
+    coarsenOptions.isValid = [&](const BlockMesh<N> &mesh) {
+      const Certificate c = certified(mesh);
+      return c.valid && errorOf(c) <= allowed;
+    };
+    const std::vector<Index> more =
+        coarsen(layered.mesh, layered.features, layered.featureNodes, blocks, coarsenOptions);
+    result.extracted.insert(result.extracted.end(), more.begin(), more.end());
+  }
+  result.certificate = certified(blocks);
+  if (options.relax) {
+    BlockMesh<N> relaxed = blocks;
+    RelaxOptions thorough;
+    thorough.sweeps = 60; // few blocks are left
+    relax(freedomOf(relaxed), relaxed, thorough);
+    if (Certificate c = certified(relaxed); c.valid) {
+      blocks = std::move(relaxed);
+      result.certificate = std::move(c);
+    }
+  }
+  result.quality = qualityOf(blocks);
+  return result;
+}
+
+template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks) {
+  using Nodes = std::array<Index, 1 << (N - 1)>;
+  struct Face {
+    Nodes key, cycle;
+    Index order, tag;
+  };
+  std::vector<Face> faces;
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (int f = 0; f < 2 * N; ++f) {
+      Face face{{}, {}, toIndex(2 * N * b) + f, blocks.tags[b][at(f)]};
+      if (face.tag == kNone) continue; // inside the domain
+      for (std::size_t k = 0; k < face.cycle.size(); ++k)
+        face.cycle[k] = blocks.blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
+      face.key = face.cycle;
+      sortItems(face.key);
+      faces.push_back(face);
+    }
+  sortByIndex(
+      faces, blocks.positions.size(), [](const Face &f) { return f.key[0]; },
+      [](const Face &a, const Face &b) { return a.key < b.key; });
+  std::vector<Face> outer; // interfaces have a face of the same nodes on their other side
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const bool before = f > 0 && faces[f - 1].key == faces[f].key;
+    const bool after = f + 1 < faces.size() && faces[f + 1].key == faces[f].key;
+    if (!before && !after) outer.push_back(faces[f]);
+  }
+  sortItems(outer, [](const Face &a, const Face &b) { return a.order < b.order; });
+  BoundaryFaces<N> result;
+  for (const Face &face : outer) {
+    result.faces.push_back(face.cycle);
+    result.facet.push_back(FaceTag::surface(face.tag));
+  }
+  return result;
+}
+
+template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certificate &, const ModeOptions &);
+template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &, const ModeOptions &);
+template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &);
+template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &);
+
+} // namespace dualblock

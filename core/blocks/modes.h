@@ -1,0 +1,42 @@
+// The mesh that is handed out, made from the layered one: as it is, without the D-bar-surfaces that were
+// named, or as coarse as it can be.
+#pragma once
+
+#include "certificate/certificate.h"
+#include "primal/boundary.h"
+
+namespace dualblock {
+
+enum class Mode : std::uint8_t { layered, coarsest };
+
+struct ModeOptions {
+  Mode mode = Mode::layered;
+  std::vector<Index> extract; // D-bar-surfaces to extract first, in this order
+  bool relax = true;
+};
+
+template <int N> struct FinalMesh {
+  BlockMesh<N> blocks;
+  std::vector<Index> extracted; // D-bar-surfaces, in the order that they went
+  std::vector<double> quality;  // per block: scaled Jacobian
+  Certificate certificate;
+};
+
+/// `layered` is a valid mesh with its certificate. An Error names a surface that cannot be extracted, and
+/// why. Nothing is returned that is not valid.
+template <int N>
+Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
+                                   const ModeOptions &options);
+
+extern template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certificate &,
+                                                   const ModeOptions &);
+extern template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &,
+                                                   const ModeOptions &);
+
+/// The faces of a block mesh that belong to one block only, and the facets that they lie on.
+template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks);
+
+extern template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &);
+extern template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &);
+
+} // namespace dualblock

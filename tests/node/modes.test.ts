@@ -1,0 +1,92 @@
+// The mesh that is handed out: layered, coarsest, or without the D̄-surfaces that were named; each held against its domain
+// by the independent checker.
+import { beforeAll, describe, expect, it } from 'vitest';
+import { checkMesh, defaultCheckSettings } from '../../wasm/check/check.ts';
+import { domainReader } from '../../wasm/check/read-domain.ts';
+import { meshReader } from '../../wasm/check/read-mesh.ts';
+import type { Dualblock, Settings } from '../../wasm/dualblock.ts';
+import { meshWriter } from '../../wasm/io/write-mesh.ts';
+import { makeReport } from '../../wasm/report.ts';
+import { defaultSettings } from '../../wasm/settings.ts';
+import { curved, errorOf, exampleBytes, examples, runExample, startCore } from './support/core.ts';
+
+let core: Dualblock;
+beforeAll(async () => {
+  core = await startCore();
+});
+
+/** What the checker says of the mesh that a file of this format holds. */
+function verdictsOn(name: string, format: string, settings: Partial<Settings>) {
+  const text = meshWriter(`a.${format}`)(runExample(core, name, settings));
+  const mesh = meshReader(`a.${format}`)(new TextEncoder().encode(text as string));
+  const domain = domainReader('a.json')(new Uint8Array(exampleBytes(name)));
+  return checkMesh(mesh, domain, defaultCheckSettings).findings;
+}
+
+const meshed = examples.filter(({ name }) => !name.startsWith('figure_12')).map(({ name }) => name);
+
+describe('the coarsest mesh', () => {
+  it.each(meshed)('of %s has no more blocks, and passes the checker', (name) => {
+    const layered = runExample(core, name);
+    const result = runExample(core, name, { mode: 'coarsest' });
+    expect(result.certificate.valid).toBe(true);
+    expect(result.mesh?.quality.length).toBeLessThanOrEqual(layered.primal.quality.length);
+    expect(result.primal.blocks).toEqual(layered.primal.blocks);
+    if (!curved.includes(name)) expect(verdictsOn(name, 'vtk', { mode: 'coarsest' }).failures).toEqual([]);
+  });
+
+  it('has a block for each part where all are boxes', () => {
+    const counts = { tapered_brick: 1, square_ring: 8, protrusion: 10, l_shape_extruded: 3, notched_cube: 7 };
+    for (const [name, blocks] of Object.entries(counts))
+      expect(runExample(core, name, { mode: 'coarsest' }).mesh?.blockPart.length, name).toBe(blocks);
+  });
+
+  it('is what every format holds', () => {
+    for (const format of ['vtk', 'mesh', 'json'])
+      expect(verdictsOn('protrusion', format, { mode: 'coarsest' }).failures, format).toEqual([]);
+  });
+
+  it('is reported, with the quality of its own blocks', () => {
+    const settings: Settings = { ...defaultSettings, mode: 'coarsest' };
+    const result = runExample(core, 'square_ring', settings);
+    const report = makeReport(result, settings, 0);
+    expect(report.mesh).toMatchObject({ mode: 'coarsest', blocks: 8, nodes: 32 });
+    expect(report.mesh.extracted.length).toBe(9);
+    expect(report.primal.blocks).toBe(64);
+    const bins = report.quality.scaledJacobian?.histogram ?? [];
+    expect(bins.reduce((sum, n) => sum + n, 0)).toBe(8);
+  });
+});
+
+describe('extraction by name', () => {
+  it('takes the layers of the surfaces away, in their order', () => {
+    const { mesh: whole } = runExample(core, 'square_ring', { mode: 'coarsest' });
+    const extract = Array.from(whole?.extracted.subarray(0, 3) ?? []);
+    const { mesh, primal, certificate } = runExample(core, 'square_ring', { extract });
+    expect(certificate.valid).toBe(true);
+    expect(Array.from(mesh?.extracted ?? [])).toEqual(extract);
+    expect(mesh?.quality.length).toBeLessThan(primal.quality.length);
+    for (const surface of mesh?.blockSurfaces ?? []) expect(extract).not.toContain(surface);
+  });
+
+  it('says which surface cannot go, and why, and leaves the domain loaded', () => {
+    const unknown = errorOf(() => runExample(core, 'square_ring', { extract: [99] }));
+    expect(unknown).toMatchObject({ code: 'badOption', entities: [{ kind: 'surface', index: 99 }] });
+    const needed = errorOf(() => runExample(core, 'tetrahedron', { extract: [0] }));
+    expect(needed.message).toMatch(/D̄-surface 0 cannot be extracted: .*Leave it out/);
+    expect(errorOf(() => runExample(core, 'tetrahedron', { extract: [0.5] })).code).toBe('badOption');
+    expect(core.run().certificate.valid).toBe(true);
+  });
+});
+
+describe('relaxation', () => {
+  const worst = (name: string, relax: boolean) =>
+    Math.min(...runExample(core, name, { relax }).primal.quality);
+
+  it('makes the worst block better, never worse', () => {
+    for (const { name, dimension } of examples)
+      if (dimension === 3) expect(worst(name, true), name).toBeGreaterThanOrEqual(worst(name, false) - 1e-9);
+    expect(worst('elbow', false)).toBeLessThan(0.1);
+    expect(worst('elbow', true)).toBeGreaterThan(0.75);
+  });
+});
