@@ -62,8 +62,8 @@ private:
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
 /// False if they cannot be made to hold.
 template <int N>
-bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector<bool> &everyFace,
-               StageClock &clock) {
+[[gnu::noinline]] bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions,
+                                 std::vector<bool> &everyFace, StageClock &clock) {
   for (int round = 0; round < kRepairRounds; ++round) {
     clock.start("contributions", 0.5);
     r.contributions = assignContributions(r.mesh, r.parts);
@@ -89,14 +89,15 @@ bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector
 }
 
 /// The primal's nodes, moved to where its blocks have a better shape.
-template <int N> void relaxPrimal(PipelineResult<N> &r) {
+template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r) {
   BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
   const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks);
   relax(freedom, blocks, {});
   r.primal.positions = std::move(blocks.positions);
 }
 
-template <int N> void buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock) {
+template <int N>
+[[gnu::noinline]] void buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock) {
   clock.start("primal", 0.7);
   r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
   clock.start("placement", 0.8);
@@ -129,7 +130,9 @@ template <int N> void buildResult(PipelineResult<N> &r, const PipelineOptions &o
 
 /// The components of what the certificate's failures name, of those that can still change; all of them where
 /// a failure names nothing that belongs to one.
-template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std::vector<PartSource> &source) {
+template <int N>
+[[gnu::noinline]] std::vector<bool> blamed(const PipelineResult<N> &r,
+                                           const std::vector<PartSource> &source) {
   std::vector<bool> blame(source.size(), false);
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
   std::vector<Index> ofFacet(r.domain.domain.facets.size(), kNone);
@@ -159,7 +162,8 @@ template <int N> std::vector<bool> blamed(const PipelineResult<N> &r, const std:
 
 /// Where TetGen refused the domain: looks for two facets that cross. As given, for facets that overlap in one
 /// plane may have been merged.
-template <int N> Error nameCulprits(const Error &error, const Domain<N> &given, double tolerance) {
+template <int N>
+[[gnu::noinline]] Error nameCulprits(const Error &error, const Domain<N> &given, double tolerance) {
   const bool mayCross = error.code == ErrorCode::selfIntersection || error.code == ErrorCode::tetgenFailed;
   if (!mayCross) return error;
   const auto found = findIntersection(given, tolerance * domainSize(given.vertices));
