@@ -16,22 +16,20 @@ import { bytesOf, type Input } from './support/surface-files.ts';
 const read = (extension: string, input: Input): Mesh => meshReader(`a.${extension}`)(bytesOf(input));
 const readDomain = (extension: string, input: Input) => domainReader(`a.${extension}`)(bytesOf(input));
 
-const files: Record<string, string> = {};
+const files: Record<string, Input> = {};
+const extensions = ['vtk', 'vtu', 'mesh', 'json'];
 beforeAll(async () => {
   const core = await startCore();
   for (const name of ['house', 'l_shape_2d']) {
     const result = runExample(core, name);
-    for (const extension of ['vtk', 'mesh', 'json'])
-      files[`${name}.${extension}`] = meshWriter(`a.${extension}`)(result);
+    for (const extension of extensions) files[`${name}.${extension}`] = meshWriter(`a.${extension}`)(result);
   }
   core.dispose();
 });
 
 describe('our own files', () => {
   it.each(['house', 'l_shape_2d'])('%s is the same in every format', (name) => {
-    const meshes = ['vtk', 'mesh', 'json'].map((extension) =>
-      read(extension, files[`${name}.${extension}`] ?? ''),
-    );
+    const meshes = extensions.map((extension) => read(extension, files[`${name}.${extension}`] ?? ''));
     for (const mesh of meshes) {
       expect(mesh.dimension).toBe(name === 'house' ? 3 : 2);
       expect(mesh.points).toEqual(meshes[0]?.points);
@@ -146,7 +144,7 @@ const types = vtk.lastIndexOf('CELL_TYPES');
 
 describe('wrong mesh files', () => {
   it.each<[string, string, Input, ErrorCode, RegExp, number?]>([
-    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.mesh \.json/],
+    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.mesh \.json/],
     ['an empty .vtk', 'vtk', '', 'fileEmpty', /holds nothing/],
     ['an empty .mesh', 'mesh', ' \n\n', 'fileEmpty', /holds nothing/],
     ['an empty .json', 'json', '\n', 'fileEmpty', /holds nothing/],
@@ -350,9 +348,9 @@ describe('wrong domain files', () => {
 
 describe('damaged files', () => {
   const bar = vtkOf(cells(grid(2, 1, 1)));
-  const damaged = (text: string, seed: number): Uint8Array => {
+  const damaged = (file: Input, seed: number): Uint8Array => {
     const random = randomNumbers(seed);
-    const bytes = [...bytesOf(text)];
+    const bytes = [...bytesOf(file)];
     const pick = (n: number): number => Math.floor(random() * n);
     for (let k = 1 + pick(2); k > 0; k--) {
       const at = pick(bytes.length);
@@ -382,13 +380,13 @@ describe('damaged files', () => {
     return Uint8Array.from(bytes);
   };
 
-  it.each(['vtk', 'mesh', 'json'])('.%s: an error of ours, or a mesh that is checked', (extension) => {
+  it.each(extensions)('.%s: an error of ours, or a mesh that is checked', (extension) => {
     const domain = readDomain('json', exampleBytes('house'));
-    const text = extension === 'vtk' ? bar : (files[`house.${extension}`] ?? '');
+    const file = extension === 'vtk' ? bar : (files[`house.${extension}`] ?? '');
     const seen = { refused: 0, valid: 0, notValid: 0 };
     for (let seed = 1; seed <= 400; seed++) {
       try {
-        const mesh = read(extension, damaged(text, seed));
+        const mesh = read(extension, damaged(file, seed));
         const { findings } = checkMesh(
           mesh,
           domain.dimension === mesh.dimension ? domain : null,

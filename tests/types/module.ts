@@ -25,8 +25,8 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     const blocks: Int32Array = result.primal.blocks;
     const dimension: 2 | 3 = result.dimension;
     const check: Check | undefined = result.certificate.failures[0]?.check;
-    const text: string = meshWriter('part.vtk')(result);
-    console.log(blocks.length, dimension, check, text.length, core.memory().inUse);
+    const file: string | Uint8Array = meshWriter('part.vtk')(result);
+    console.log(blocks.length, dimension, check, file.length, core.memory().inUse);
     return makeReport(result, settings, core.memory().peak);
   } catch (error) {
     if (error instanceof DualblockError) return error.code;

@@ -4,9 +4,11 @@ import type { Mesh } from './mesh.ts';
 import { readMedit } from './read-medit.ts';
 import { readMeshJson } from './read-mesh-json.ts';
 import { readVtk } from './read-vtk.ts';
+import { readVtu } from './read-vtu.ts';
 
 const readers: Record<string, (bytes: Uint8Array) => Mesh> = {
   vtk: readVtk,
+  vtu: readVtu,
   mesh: readMedit,
   json: readMeshJson,
 };

@@ -41,9 +41,9 @@ export async function readSource(source: Source): Promise<{ name: string; bytes:
 }
 
 /** Throws UsageError. */
-export async function save(path: string, text: string): Promise<void> {
+export async function save(path: string, content: string | Uint8Array): Promise<void> {
   try {
-    await writeFile(path, text);
+    await writeFile(path, content);
   } catch {
     throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
   }

@@ -15,8 +15,30 @@ export interface BlockMesh {
   region?: Int32Array;
   /** Quality of each block: the minimum scaled Jacobian, from -1 to 1. */
   quality: Float64Array;
-  /** Boundary edges (2D, 2 node ids) or faces (3D, 4 node ids) and the input facet, from 0, of each. */
-  boundary?: { faces: Int32Array; facet: Int32Array };
+  /** The D̄-surfaces that cross each block, `dimension` per block: along its axes 0-1, 0-3 and (3D) 0-4. */
+  surfaces?: Int32Array;
+  /**
+   * Intervals, 1 or more, into which writers of blocks let the edges be divided: one number for all, or for each
+   * D̄-surface that of the edges that it crosses, which needs `surfaces`. 1 where left out.
+   */
+  intervals?: number | Int32Array;
+  /**
+   * Boundary edges (2D, 2 node ids, the domain on their left) or faces (3D, 4 node ids, counter-clockwise from outside)
+   * and the input facet, from 0, of each.
+   */
+  boundary?: FacetFaces;
+  /** Inner edges or faces on facets that have the domain on both sides, each once. */
+  interfaces?: FacetFaces;
+  /** For facets that are one bent side with others, the lowest of them, else -1; per facet. */
+  patchOfFacet?: Int32Array;
+  /** The name of each facet; empty or missing for facets without one. */
+  facetNames?: readonly string[];
+}
+
+/** Edges (2D) or faces (3D) of blocks, and the input facet that each lies on. */
+export interface FacetFaces {
+  faces: Int32Array;
+  facet: Int32Array;
 }
 
 /** Nodes per block. */
@@ -27,18 +49,20 @@ export const boundaryCorners = (mesh: BlockMesh): 2 | 4 => (mesh.dimension === 2
 
 /**
  * Checks that the arrays fit together before a file is made of them. Throws `internal` for lengths that disagree,
- * `indexOutOfRange` for a node id that does not exist, `notFinite` for a coordinate or quality.
+ * `indexOutOfRange` for a node or D̄-surface that does not exist, `notFinite` for a coordinate or quality, and
+ * `badOption` for intervals that are no whole numbers of 1 or more.
  */
 export function checkBlockMesh(mesh: BlockMesh): void {
   const nodes = mesh.positions.length / mesh.dimension;
   const blocks = mesh.blocks.length / blockCorners(mesh);
-  const faces = (mesh.boundary?.faces.length ?? 0) / boundaryCorners(mesh);
+  const groups = [mesh.boundary, mesh.interfaces].filter((group) => group !== undefined);
   const fits =
     Number.isInteger(nodes) &&
     mesh.part.length === blocks &&
     mesh.quality.length === blocks &&
     (mesh.region?.length ?? blocks) === blocks &&
-    (mesh.boundary?.facet.length ?? 0) === faces;
+    (mesh.surfaces?.length ?? blocks * mesh.dimension) === blocks * mesh.dimension &&
+    groups.every(({ faces, facet }) => faces.length === facet.length * boundaryCorners(mesh));
   if (!fits)
     throw new DualblockError(
       'internal',
@@ -49,15 +73,26 @@ export function checkBlockMesh(mesh: BlockMesh): void {
   if (node >= 0) throw notFinite('node', Math.floor(node / mesh.dimension));
   const block = mesh.quality.findIndex((x) => !Number.isFinite(x));
   if (block >= 0) throw notFinite('block', block);
-  for (const ids of [mesh.blocks, mesh.boundary?.faces ?? []]) {
-    for (const id of ids) {
-      if (id >= 0 && id < nodes) continue;
-      throw new DualblockError(
-        'indexOutOfRange',
-        `the block mesh names node ${id} of ${nodes}; report this defect`,
-        [{ kind: 'node', index: id }],
-      );
-    }
+  for (const ids of [mesh.blocks, ...groups.map(({ faces }) => faces)]) checkIds(ids, nodes, 'node');
+  for (const { facet } of groups) checkIds(facet, Infinity, 'facet');
+  if (mesh.surfaces) {
+    const total = typeof mesh.intervals === 'object' ? mesh.intervals.length : Infinity;
+    checkIds(mesh.surfaces, total, 'surface');
+  }
+  const counts = typeof mesh.intervals === 'object' ? [...mesh.intervals] : [mesh.intervals ?? 1];
+  const wrong = counts.find((n) => !Number.isInteger(n) || n < 1);
+  if (wrong !== undefined)
+    throw new DualblockError('badOption', `edges cannot have ${wrong} intervals; give 1 or more`);
+}
+
+function checkIds(ids: Int32Array, total: number, kind: string): void {
+  for (const id of ids) {
+    if (id >= 0 && id < total) continue;
+    throw new DualblockError(
+      'indexOutOfRange',
+      `the block mesh names ${kind} ${id}${total < Infinity ? ` of ${total}` : ''}; report this defect`,
+      [{ kind, index: id }],
+    );
   }
 }
 

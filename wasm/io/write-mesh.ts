@@ -1,43 +1,41 @@
 // The door to the writers.
 import type { RunResult } from '../result.ts';
 import type { BlockMesh } from './block-mesh.ts';
+import { blockMesh } from './block-mesh-of.ts';
 import { DualblockError } from './errors.ts';
 import { writeJson } from './write-json.ts';
 import { writeMedit } from './write-medit.ts';
 import { writeVtk } from './write-vtk.ts';
+import { writeVtu } from './write-vtu.ts';
 
-const writers: Record<string, (result: RunResult) => string> = {
-  vtk: (result) => writeVtk(blockMesh(result)),
-  mesh: (result) => writeMedit(blockMesh(result)),
+/** A file's content. */
+export type MeshFile = string | Uint8Array<ArrayBuffer>;
+
+const ofBlocks =
+  (write: (mesh: BlockMesh) => MeshFile) =>
+  (result: RunResult): MeshFile =>
+    write(blockMesh(result));
+
+const writers = {
+  vtk: ofBlocks(writeVtk),
+  vtu: ofBlocks(writeVtu),
+  mesh: ofBlocks(writeMedit),
   json: writeJson,
 };
 
 /** File name extensions that a mesh can be written to. */
-export const outputFormats = Object.keys(writers);
+export const outputFormats = Object.keys(writers) as (keyof typeof writers)[];
 
-/** The writer for a file, by its name's extension. Throws `formatUnknown`. */
-export function meshWriter(fileName: string): (result: RunResult) => string {
-  const extension = fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
-  const writer = Object.hasOwn(writers, extension) ? writers[extension] : undefined;
-  if (writer) return writer;
+/**
+ * The writer for a file, by its name's extension, in any case; it gives text or bytes. Throws `formatUnknown`.
+ */
+export function meshWriter(fileName: string): (result: RunResult) => MeshFile {
+  const name = fileName.replace(/^.*[\\/]/, '');
+  const extension = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+  const format = outputFormats.find((f) => f.toLowerCase() === extension);
+  if (format && name.includes('.')) return writers[format];
   const known = outputFormats.map((f) => `.${f}`).join(' ');
   throw new DualblockError('formatUnknown', `${fileName} has an unknown extension: use one of ${known}.`, [
     { kind: 'file', index: 0 },
   ]);
-}
-
-/** The block mesh of a result, as the writers take it. */
-export function blockMesh({ dimension, name, title, primal, parts, mesh }: RunResult): BlockMesh {
-  const { positions, blocks, blockPart, quality, boundaryFaces, boundaryFacet } = mesh ?? primal;
-  const several = parts.region.some((region) => region !== parts.region[0]);
-  return {
-    dimension,
-    name: title || name,
-    positions,
-    blocks,
-    part: blockPart,
-    ...(several ? { region: blockPart.map((part) => parts.region[part]!) } : {}),
-    quality,
-    boundary: { faces: boundaryFaces, facet: boundaryFacet },
-  };
 }
