@@ -34,7 +34,7 @@ const failed = (mesh: Mesh, name: string): string[] => {
 describe('meshes of the examples', () => {
   it.each(meshed)('%s', (name) => {
     const { certificate, primal, dimension } = runExample(core, name);
-    for (const extension of ['vtk', 'vtu', 'mesh', 'json']) {
+    for (const extension of ['vtk', 'vtu', 'msh', 'mesh', 'json']) {
       const result = checkMesh(meshOf(name, extension), domainOf(name), defaultCheckSettings);
       expect(result.findings.failures).toEqual([]);
       const approximates = curved.includes(name); // then the measure has no verdict

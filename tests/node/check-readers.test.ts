@@ -17,7 +17,7 @@ const read = (extension: string, input: Input): Mesh => meshReader(`a.${extensio
 const readDomain = (extension: string, input: Input) => domainReader(`a.${extension}`)(bytesOf(input));
 
 const files: Record<string, Input> = {};
-const extensions = ['vtk', 'vtu', 'mesh', 'json'];
+const extensions = ['vtk', 'vtu', 'msh', 'mesh', 'json'];
 beforeAll(async () => {
   const core = await startCore();
   for (const name of ['house', 'l_shape_2d']) {
@@ -144,7 +144,7 @@ const types = vtk.lastIndexOf('CELL_TYPES');
 
 describe('wrong mesh files', () => {
   it.each<[string, string, Input, ErrorCode, RegExp, number?]>([
-    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.mesh \.json/],
+    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.msh \.mesh \.json/],
     ['an empty .vtk', 'vtk', '', 'fileEmpty', /holds nothing/],
     ['an empty .mesh', 'mesh', ' \n\n', 'fileEmpty', /holds nothing/],
     ['an empty .json', 'json', '\n', 'fileEmpty', /holds nothing/],

@@ -1,6 +1,7 @@
 // The door to the readers of block meshes.
 import { DualblockError } from '../io/errors.ts';
 import type { Mesh } from './mesh.ts';
+import { readGmsh } from './read-gmsh.ts';
 import { readMedit } from './read-medit.ts';
 import { readMeshJson } from './read-mesh-json.ts';
 import { readVtk } from './read-vtk.ts';
@@ -9,6 +10,7 @@ import { readVtu } from './read-vtu.ts';
 const readers: Record<string, (bytes: Uint8Array) => Mesh> = {
   vtk: readVtk,
   vtu: readVtu,
+  msh: readGmsh,
   mesh: readMedit,
   json: readMeshJson,
 };

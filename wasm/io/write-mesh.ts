@@ -3,6 +3,7 @@ import type { RunResult } from '../result.ts';
 import type { BlockMesh } from './block-mesh.ts';
 import { blockMesh } from './block-mesh-of.ts';
 import { DualblockError } from './errors.ts';
+import { writeGmsh } from './write-gmsh.ts';
 import { writeJson } from './write-json.ts';
 import { writeMedit } from './write-medit.ts';
 import { writeVtk } from './write-vtk.ts';
@@ -19,6 +20,7 @@ const ofBlocks =
 const writers = {
   vtk: ofBlocks(writeVtk),
   vtu: ofBlocks(writeVtu),
+  msh: ofBlocks(writeGmsh),
   mesh: ofBlocks(writeMedit),
   json: writeJson,
 };
