@@ -3,6 +3,7 @@ import type { RunResult } from '../result.ts';
 import type { BlockMesh } from './block-mesh.ts';
 import { blockMesh } from './block-mesh-of.ts';
 import { DualblockError } from './errors.ts';
+import { writeAbaqus } from './write-abaqus.ts';
 import { writeGmsh } from './write-gmsh.ts';
 import { writeJson } from './write-json.ts';
 import { writeMedit } from './write-medit.ts';
@@ -22,6 +23,7 @@ const writers = {
   vtu: ofBlocks(writeVtu),
   msh: ofBlocks(writeGmsh),
   mesh: ofBlocks(writeMedit),
+  inp: ofBlocks(writeAbaqus),
   json: writeJson,
 };
 
