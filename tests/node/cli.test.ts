@@ -50,8 +50,20 @@ describe('a certified mesh', () => {
   });
 
   it('can be written in every format at once, with the report in a file', () => {
-    const words = ['-o', 'a.vtk', '-o', 'a.mesh', '-o', 'a.json', '--report', 'a-report.json', '--quiet'];
+    const names = [
+      'a.vtk',
+      'a.VTU',
+      'a.msh',
+      'a.mesh',
+      'a.inp',
+      'a.json',
+      'blockMeshDict',
+      'a.blockMeshDict',
+    ];
+    const words = [...names.flatMap((name) => ['-o', name]), '--report', 'a-report.json', '--quiet'];
     expect(dualblock('--example', 'house', ...words)).toMatchObject({ status: 0, stderr: '' });
+    expect(files()).toEqual(expect.arrayContaining(names));
+    expect(fileIn('blockMeshDict')).toBe(fileIn('a.blockMeshDict'));
     expect(fileIn('a.mesh')).toMatch(/Hexahedra\n10\n/);
     const mesh = JSON.parse(fileIn('a.json')) as { format: string; primal: { blocks: number[] } };
     expect(mesh.format).toBe('dualblock-mesh/1');

@@ -104,7 +104,7 @@ describe('calls', () => {
   it('writing to an unknown extension', () => {
     const error = errorOf(() => meshWriter('mesh.stp'));
     expect(error.code).toBe('formatUnknown');
-    expect(error.message).toMatch(/\.vtk \.vtu \.msh \.mesh \.inp \.json\./);
+    expect(error.message).toMatch(/\.vtk \.vtu \.msh \.mesh \.inp \.json blockMeshDict\./);
   });
 });
 

@@ -2,8 +2,12 @@
 import { describe, expect, it } from 'vitest';
 import type { BlockMesh } from '../../wasm/io/block-mesh.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
+import { writeAbaqus } from '../../wasm/io/write-abaqus.ts';
+import { writeBlockMeshDict } from '../../wasm/io/write-block-mesh-dict.ts';
+import { writeGmsh } from '../../wasm/io/write-gmsh.ts';
 import { writeMedit } from '../../wasm/io/write-medit.ts';
 import { writeVtk } from '../../wasm/io/write-vtk.ts';
+import { writeVtu } from '../../wasm/io/write-vtu.ts';
 
 const flat: BlockMesh = {
   dimension: 2,
@@ -150,7 +154,11 @@ End
 
 describe.each([
   ['writeVtk', writeVtk],
+  ['writeVtu', writeVtu],
   ['writeMedit', writeMedit],
+  ['writeGmsh', writeGmsh],
+  ['writeAbaqus', writeAbaqus],
+  ['writeBlockMeshDict', writeBlockMeshDict],
 ])('%s', (_, write) => {
   it.each<[string, Partial<BlockMesh>, string]>([
     ['NaN', { positions: flat.positions.map((x, i) => (i === 3 ? Number.NaN : x)) }, 'notFinite'],
@@ -164,6 +172,14 @@ describe.each([
       { boundary: { faces: Int32Array.of(0, 1, 1, 2), facet: Int32Array.of(0) } },
       'internal',
     ],
+    [
+      'a facet below 0',
+      { boundary: { faces: Int32Array.of(0, 1), facet: Int32Array.of(-1) } },
+      'indexOutOfRange',
+    ],
+    ['a surface too few', { surfaces: Int32Array.of(0, 0, 1) }, 'internal'],
+    ['a surface below 0', { surfaces: Int32Array.of(0, 0, 1, -1) }, 'indexOutOfRange'],
+    ['half a face inside', { interfaces: { faces: Int32Array.of(1), facet: Int32Array.of(0) } }, 'internal'],
     [
       'a boundary node too high',
       { boundary: { faces: Int32Array.of(0, 9), facet: Int32Array.of(0) } },

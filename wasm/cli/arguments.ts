@@ -100,7 +100,7 @@ function checkOf(inputs: string[], given: Map<string, string[]>): Command {
   const first = (name: string): string | undefined => given.get(name)?.[0];
   const [mesh, ...others] = inputs;
   if (mesh === undefined)
-    throw new UsageError('there is no mesh to check', 'name a .vtk, .mesh or .json file');
+    throw new UsageError('there is no mesh to check', 'name a .vtk, .vtu, .msh, .mesh or .json file');
   if (mesh === '' || mesh === '-')
     throw new UsageError('the mesh is not read from standard input', 'name a file');
   if (others.length > 1)
