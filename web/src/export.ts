@@ -64,13 +64,17 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
   allowed: valid,
   save: async (app) => {
     const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
-    const text = meshWriter(`mesh.${extension}`)(app.model!.result);
-    download(new Blob([text]), `${baseName(app.model!)}.${extension}`);
+    const file = meshWriter(`mesh.${extension}`)(app.model!.result);
+    download(new Blob([file]), `${baseName(app.model!)}.${extension}`);
   },
 });
 
 export const exporters: Exporter[] = [
   mesh('vtk', 'Mesh, VTK', 'blocks with part and quality; for ParaView'),
+  mesh('vtu', 'Mesh, VTK XML', 'the same and D̄-surfaces, binary; for ParaView'),
+  mesh('msh', 'Mesh, Gmsh', 'blocks and boundary in physical groups'),
+  mesh('inp', 'Mesh, Abaqus', 'with sets and surfaces; also for CalculiX'),
+  mesh('blockMeshDict', 'Blocks, OpenFOAM', 'blockMeshDict with a patch per facet'),
   mesh('mesh', 'Mesh, Medit', 'blocks and boundary with references'),
   mesh('json', 'Everything, JSON', 'every stage’s result, from tetrahedra to blocks'),
   {
