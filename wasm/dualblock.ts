@@ -1,7 +1,8 @@
 // The typed module around the core: the same in the page, in a worker and in Node.
 import createDualblock, { type CoreModule } from './build/dualblock.mjs';
 import { DualblockError } from './io/errors.ts';
-import { readSurface, type SurfaceFormat } from './io/surface-readers.ts';
+import { mergedNames, namesInFile } from './io/facet-names.ts';
+import { readSurface, type Surface, type SurfaceFormat } from './io/surface-readers.ts';
 import type { CoreError, Polygons, RunResult } from './result.ts';
 import { defaultSettings, formatOf, type Settings } from './settings.ts';
 
@@ -18,6 +19,8 @@ const raise = (error: CoreError, given?: Polygons): never => {
 export class Dualblock {
   private readonly module: CoreModule;
   private readonly session;
+  /** Of the facets as loaded; empty where none has a name. */
+  private names: string[] = [];
 
   private constructor(module: CoreModule) {
     this.module = module;
@@ -35,10 +38,11 @@ export class Dualblock {
    */
   load(name: string, bytes: Uint8Array): void {
     const format = formatOf(name);
-    const answer = surfaceFormats.includes(format)
-      ? this.loadSurface(format as SurfaceFormat, bytes)
-      : this.session.load(format, bytes);
+    const surface = surfaceFormats.includes(format) ? readSurface(format as SurfaceFormat, bytes) : null;
+    const names = surface ? surface.names : namesInFile(format, bytes);
+    const answer = surface ? this.loadSurface(surface) : this.session.load(format, bytes);
     if (!answer.ok) raise(answer.error);
+    this.names = names;
     if (format !== 'json') this.session.setName(name.replace(/^.*[\\/]/, '').replace(/\.[^.]*$/, ''));
   }
 
@@ -49,7 +53,11 @@ export class Dualblock {
     const { mode, relax } = wanted;
     const numbers = { featureAngle, coarsest: Number(mode === 'coarsest'), relax: Number(relax) };
     const answer = this.session.run({ ...wanted, ...numbers }, progress);
-    return answer.ok ? answer : raise(answer.error, answer.given);
+    if (!answer.ok) return raise(answer.error, answer.given);
+    const { domain } = answer;
+    if (this.names.length > 0)
+      domain.facetNames = mergedNames(this.names, domain.facetOfGiven, domain.facetOffsets.length - 1);
+    return answer;
   }
 
   /** Bytes of the core's memory: all that it ever needed, and what is in use now. */
@@ -61,8 +69,7 @@ export class Dualblock {
     this.session.delete();
   }
 
-  private loadSurface(format: SurfaceFormat, bytes: Uint8Array) {
-    const { points, polygons } = readSurface(format, bytes);
+  private loadSurface({ points, polygons }: Surface) {
     return this.session.loadSurface(points, polygons.offsets, polygons.corners);
   }
 }

@@ -46,6 +46,8 @@ export interface RunResult {
     givenVertex: Int32Array;
     /** -1 for facets that were dropped: triangles with two corners at one point. */
     facetOfGiven: Int32Array;
+    /** The facets' names, where the input gives any; those of merged facets joined by "+", empty for none. */
+    facetNames?: string[];
     regions: number;
     deviation: number;
     repairs: string[];

@@ -31,6 +31,7 @@ export function blockMesh(result: RunResult): BlockMesh {
     surfaces: surfacesOf(result),
     boundary: { faces: primal.boundaryFaces, facet: primal.boundaryFacet },
     ...(interfaces.facet.length > 0 ? { interfaces } : {}),
+    ...(domain.facetNames ? { facetNames: domain.facetNames } : {}),
     patchOfFacet: reference.surfacePatch.slice(0, domain.facetOffsets.length - 1),
   };
 }

@@ -13,17 +13,25 @@ export interface FacetGroup {
 
 /**
  * Groups, in the order of their facets. Facets that are one bent side are one group, since which of them a face of
- * straight blocks comes nearest to says nothing; so are facets of the same given name. A facet without a name is called
- * `facet`, a blank, and its number from 0.
+ * straight blocks comes nearest to says nothing; so are facets of the same given name. A bent side of several names has
+ * them all, joined by "+". A facet without a name is called `facet`, a blank, and its number from 0.
  */
 export function facetGroups(mesh: BlockMesh): FacetGroup[] {
+  const sideOf = (facet: number): number => {
+    const patch = mesh.patchOfFacet?.[facet] ?? -1;
+    return patch >= 0 ? patch : facet;
+  };
+  const names = new Map<number, Set<string>>();
+  mesh.facetNames?.forEach((name, facet) => {
+    const side = sideOf(facet);
+    if (name) names.set(side, (names.get(side) ?? new Set()).add(name));
+  });
   const groups = new Map<string, FacetGroup>();
   const width = boundaryCorners(mesh);
   for (const [list, isInner] of [[mesh.boundary, false] as const, [mesh.interfaces, true] as const]) {
     list?.facet.forEach((given, i) => {
-      const patch = mesh.patchOfFacet?.[given] ?? -1;
-      const facet = patch >= 0 ? patch : given;
-      const name = mesh.facetNames?.[given] || `facet ${facet}`;
+      const facet = sideOf(given);
+      const name = [...(names.get(facet) ?? [`facet ${facet}`])].join('+');
       // A name may stand for faces on the boundary and inside, but only those on it can be a solver's patch.
       const key = `${isInner} ${name}`;
       const group = groups.get(key) ?? { facet, name, isInner, faces: [] };

@@ -1,5 +1,6 @@
 // The surface that every reader hands out, and the checks that all of them need.
 import { DualblockError, type EntityReference } from './errors.ts';
+import { telling } from './facet-names.ts';
 import { mergeEqualPoints } from './merge-points.ts';
 
 /** Polygons over shared points. Nothing is said about closedness, planarity or orientation. */
@@ -8,6 +9,8 @@ export interface Surface {
   points: Float64Array;
   /** Polygon i has the corners corners[offsets[i] .. offsets[i + 1]), as point ids in the file's order. */
   polygons: { offsets: Int32Array; corners: Int32Array };
+  /** The name of each polygon, such as that of its solid or group; empty where the file gives none that tells some apart. */
+  names: string[];
 }
 
 /** What a reader collects: corners refer to the file's own vertices, and may still be out of range. */
@@ -19,6 +22,8 @@ export interface RawSurface {
   corners: number[];
   /** The 1-based line of each polygon, for text formats. */
   lines?: number[];
+  /** The name of each polygon, for formats that have any. */
+  names?: string[];
 }
 
 /**
@@ -59,7 +64,7 @@ export function finishSurface(raw: RawSurface): Surface {
   }
   const { points, ids } = mergeEqualPoints(raw.coordinates);
   const corners = Int32Array.from(raw.corners, (corner) => ids[corner] ?? -1);
-  return { points, polygons: { offsets, corners } };
+  return { points, polygons: { offsets, corners }, names: telling(raw.names ?? []) };
 }
 
 function facetPlace(raw: RawSurface, facet: number): string {

@@ -12,11 +12,9 @@ import {
   syntaxError,
 } from './text-lines.ts';
 
-/** Statements that carry no facet: texture and normal data, groups, materials, display, loose points and lines. */
+/** Statements that carry no facet: texture and normal data, materials, display, loose points and lines. */
 const kIgnored = new Set(
-  'vt vn vp g o s mg p l usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj'.split(
-    ' ',
-  ),
+  'vt vn vp s mg p l usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj'.split(' '),
 );
 /** Statements of free-form curves and surfaces: leaving them out would leave holes. */
 const kFreeForm = new Set(
@@ -27,8 +25,8 @@ const kFreeForm = new Set(
 const kCorner = /^([+-]?\d+)(?:\/[+-]?\d*){0,2}$/;
 
 /**
- * Reads OBJ: `v` and `f` with any number of corners, indices from 1 or, negative, back from the latest vertex; groups
- * are joined. Throws `syntax`, `notFinite` and `indexOutOfRange` with the line.
+ * Reads OBJ: `v` and `f` with any number of corners, indices from 1 or, negative, back from the latest vertex; objects
+ * and groups are joined, and give facets their names. Throws `syntax`, `notFinite` and `indexOutOfRange` with the line.
  */
 export function readObj(bytes: Uint8Array): RawSurface {
   const lines = splitLines(decodeText(bytes, 'OBJ'));
@@ -36,6 +34,9 @@ export function readObj(bytes: Uint8Array): RawSurface {
   const ends: number[] = [];
   const corners: number[] = [];
   const facetLines: number[] = [];
+  const names: string[] = [];
+  let object = '';
+  let group = '';
 
   for (let i = 0; i < lines.length; i++) {
     const line = i + 1;
@@ -51,6 +52,13 @@ export function readObj(bytes: Uint8Array): RawSurface {
       for (const word of words) corners.push(vertexOf(word, coordinates.length / 3, line, ends.length));
       ends.push(corners.length);
       facetLines.push(line);
+      names.push(group || object);
+    } else if (keyword === 'o') {
+      object = words.join(' ');
+      group = '';
+    } else if (keyword === 'g') {
+      // What stands in no group is in one called `default`.
+      group = words.join(' ').replace(/^default$/, '');
     } else if (kFreeForm.has(keyword)) {
       throw syntaxError(line, `${quote(keyword)} is free-form geometry`, 'export the surface as polygons');
     } else {
@@ -61,7 +69,7 @@ export function readObj(bytes: Uint8Array): RawSurface {
       );
     }
   }
-  return { coordinates: Float64Array.from(coordinates), ends, corners, lines: facetLines };
+  return { coordinates: Float64Array.from(coordinates), ends, corners, lines: facetLines, names };
 }
 
 function stripComment(line: string): string {

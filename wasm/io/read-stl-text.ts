@@ -5,7 +5,7 @@ import type { RawSurface } from './polygon-soup.ts';
 import { isNumberWord, parseCoordinate, quote, splitLines, splitWords, syntaxError } from './text-lines.ts';
 
 /**
- * Reads text STL; each facet gets three vertices of its own. Normals are checked to be words for numbers and then
+ * Reads text STL; each facet gets three vertices of its own, and the name of its solid. Normals are checked to be words for numbers and then
  * ignored. Throws `syntax` and `notFinite` with the line, `fileTruncated` where the text ends inside a solid.
  */
 export function readStlText(text: string): RawSurface {
@@ -13,6 +13,7 @@ export function readStlText(text: string): RawSurface {
   const coordinates: number[] = [];
   const ends: number[] = [];
   const facetLines: number[] = [];
+  const names: string[] = [];
   let words: string[] = [];
   let position = 0; // in words
   let line = 0; // 1-based number of the line that the words came from
@@ -46,8 +47,10 @@ export function readStlText(text: string): RawSurface {
       `expected ${keywords.join(' or ')}`,
     );
   };
-  const skipName = (): void => {
+  const takeName = (): string => {
+    const name = words.slice(position).join(' ');
     position = words.length;
+    return name;
   };
 
   for (let word = next(); word !== undefined; word = next()) {
@@ -58,7 +61,7 @@ export function readStlText(text: string): RawSurface {
         'a text STL is a row of "solid ... endsolid"',
       );
     }
-    skipName();
+    const name = takeName();
     while (expect('facet', 'endsolid') === 'facet') {
       facetLines.push(line);
       expect('normal');
@@ -78,9 +81,10 @@ export function readStlText(text: string): RawSurface {
       expect('endloop');
       expect('endfacet');
       ends.push(coordinates.length / 3);
+      names.push(name);
     }
-    skipName();
+    takeName();
   }
   const corners = Array.from({ length: coordinates.length / 3 }, (_, i) => i);
-  return { coordinates: Float64Array.from(coordinates), ends, corners, lines: facetLines };
+  return { coordinates: Float64Array.from(coordinates), ends, corners, lines: facetLines, names };
 }
