@@ -91,7 +91,8 @@ template <int N>
 /// The primal's nodes, moved to where its blocks have a better shape.
 template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r) {
   BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
-  const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks);
+  const bool hasSimplices = r.fallbackComponents + r.pulledComponents > 0;
+  const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks, hasSimplices);
   relax(freedom, blocks, {});
   r.primal.positions = std::move(blocks.positions);
 }

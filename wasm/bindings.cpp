@@ -160,6 +160,7 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
   m.set("positions", toJs<double>(blocks.positions));
   m.set("blocks", toJs<Index>(blocks.blocks));
   m.set("blockPart", toJs<Index>(blocks.part));
+  m.set("blockTags", toJs<Index>(blocks.tags));
   m.set("blockSurfaces", toJs<Index>(blocks.surfaces));
   m.set("quality", toJs<double>(r.finalMesh->quality));
   m.set("extracted", toJs<Index>(r.finalMesh->extracted));

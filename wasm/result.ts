@@ -160,6 +160,8 @@ export interface RunResult {
     positions: Float64Array;
     blocks: Int32Array;
     blockPart: Int32Array;
+    /** Per block and face (low and high end of each axis) the tag of the facet that it lies on, or -1. */
+    blockTags: Int32Array;
     /** Per block, the D̄-surface that crosses it along each axis. */
     blockSurfaces: Int32Array;
     quality: Float64Array;

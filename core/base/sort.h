@@ -2,9 +2,9 @@
 // tenth of std::sort's and std::stable_sort's code for each type and order.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -12,6 +12,8 @@
 
 namespace dualblock {
 namespace detail {
+
+inline constexpr std::size_t kFew = 24; // up to which insertion is quicker than merging
 
 template <typename T, typename Less> void insertionSort(T *items, std::size_t count, Less &less) {
   for (std::size_t i = 1; i < count; ++i) {
@@ -26,26 +28,32 @@ template <typename T, typename Less> void insertionSort(T *items, std::size_t co
   }
 }
 
-/// The buffer holds half of the items.
-template <typename T, typename Less> void mergeSort(T *items, std::size_t count, T *buffer, Less &less) {
-  if (count <= 12) return insertionSort(items, count, less);
-  const std::size_t half = count / 2;
-  mergeSort(items, half, buffer, less);
-  mergeSort(items + half, count - half, buffer, less);
-  if (!less(items[half], items[half - 1])) return;
-  for (std::size_t i = 0; i < half; ++i) buffer[i] = std::move(items[i]);
-  const T *const end = items + count;
-  T *left = buffer;
-  T *right = items + half;
-  for (T *to = items; to != right; ++to)
-    *to = right != end && less(*right, *left) ? std::move(*right++) : std::move(*left++);
+/// The order of `count` things, stable. Merging goes by number and not by item, so that its code is there
+/// once and not for every type and order.
+std::vector<std::int32_t> orderOf(std::size_t count, const void *context,
+                                  bool (*less)(const void *context, std::int32_t a, std::int32_t b));
+
+template <typename T, typename Less> void mergeSort(T *items, std::size_t count, Less &less) {
+  if (count <= kFew) return insertionSort(items, count, less);
+  struct Context {
+    T *items;
+    Less *less;
+  };
+  const Context context{items, &less};
+  const auto lessAt = [](const void *c, std::int32_t a, std::int32_t b) {
+    const Context &all = *static_cast<const Context *>(c);
+    return bool{(*all.less)(all.items[a], all.items[b])};
+  };
+  const std::vector<std::int32_t> order = orderOf(count, &context, lessAt);
+  const std::unique_ptr<T[]> sorted(new T[count]);
+  for (std::size_t i = 0; i < count; ++i) sorted[i] = std::move(items[order[i]]);
+  for (std::size_t i = 0; i < count; ++i) items[i] = std::move(sorted[i]);
 }
 
 } // namespace detail
 
 template <typename T, typename Less = std::less<>> void sortItems(std::vector<T> &items, Less less = {}) {
-  const std::unique_ptr<T[]> buffer(items.size() > 12 ? new T[items.size() / 2] : nullptr);
-  detail::mergeSort(items.data(), items.size(), buffer.get(), less);
+  detail::mergeSort(items.data(), items.size(), less);
 }
 
 /// The same order as `sortItems`, in linear time where few items share an index: `index(item)` is in
@@ -54,16 +62,11 @@ template <typename T, typename IndexOf, typename Less = std::less<>>
 void sortByIndex(std::vector<T> &items, std::size_t count, IndexOf index, Less less = {}) {
   std::vector<std::size_t> place(count + 1, 0);
   for (const T &item : items) ++place[static_cast<std::size_t>(index(item)) + 1];
-  std::size_t longest = 0;
-  for (std::size_t k = 1; k <= count; ++k) {
-    longest = std::max(longest, place[k]);
-    place[k] += place[k - 1];
-  }
+  for (std::size_t k = 1; k <= count; ++k) place[k] += place[k - 1];
   std::vector<T> sorted(items.size());
   for (T &item : items) sorted[place[static_cast<std::size_t>(index(item))]++] = std::move(item);
-  const std::unique_ptr<T[]> buffer(longest > 12 ? new T[longest / 2] : nullptr);
   for (std::size_t k = 0, begin = 0; k < count; begin = place[k++])
-    if (place[k] > begin + 1) detail::mergeSort(sorted.data() + begin, place[k] - begin, buffer.get(), less);
+    if (place[k] > begin + 1) detail::mergeSort(sorted.data() + begin, place[k] - begin, less);
   items.swap(sorted);
 }
 

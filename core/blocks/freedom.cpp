@@ -44,7 +44,7 @@ template <int N> std::array<double, N> coordinates(const Vec<N> &x) {
 
 template <int N>
 Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
-                    const std::vector<Vec<N>> &featureNodes, const BlockMesh<N> &blocks)
+                    const std::vector<Vec<N>> &featureNodes, const BlockMesh<N> &blocks, bool holdsBent)
     : patches_(patchesOfNodes(mesh, blocks)), fixed_(blocks.positions.size(), false),
       normals_(mesh.surfaces.size()), bent_(mesh.surfaces.size()) {
   for (std::size_t s = 0; s < mesh.surfaces.size(); ++s) normals_[s] = mesh.surfaces[s].plane.normal;
@@ -85,6 +85,7 @@ Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
     const Vec<N> &x = blocks.positions[at(v)];
     if (patches_.size(v) == 0) continue;
     fixed_[at(v)] = std::binary_search(corners.begin(), corners.end(), coordinates<N>(x));
+    if (holdsBent && isBent(v)) fixed_[at(v)] = true;
     if (!fixed_[at(v)]) fixed_[at(v)] = directions(v, x).empty();
   }
 }

@@ -8,9 +8,10 @@ namespace dualblock {
 
 template <int N> class Freedom {
 public:
-  /// `features`: of the uncut mesh, whose nodes are `featureNodes`.
+  /// `features`: of the uncut mesh, whose nodes are `featureNodes`. `holdsBent`: nodes of bent sides stay, as
+  /// where every facet of one has block faces of its own, which then hold its volume exactly.
   Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features, const std::vector<Vec<N>> &featureNodes,
-          const BlockMesh<N> &blocks);
+          const BlockMesh<N> &blocks, bool holdsBent = false);
 
   /// Orthonormal directions in which the node may go from x: none for a fixed one, N for a free one.
   std::vector<Vec<N>> directions(Index node, const Vec<N> &x) const;

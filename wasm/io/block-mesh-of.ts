@@ -17,19 +17,20 @@ const kFarFaces = [
 
 /** The block mesh of a result, as the writers take it; it shares arrays with the result. */
 export function blockMesh(result: RunResult): BlockMesh {
-  const { dimension, name, title, primal, parts, reference, domain } = result;
+  const { dimension, name, title, primal, parts, reference, domain, mesh } = result;
+  const { positions, blocks, blockPart, quality, boundaryFaces, boundaryFacet } = mesh ?? primal;
   const several = parts.region.some((region) => region !== parts.region[0]);
-  const interfaces = interfacesOf(result);
+  const interfaces = mesh ? interfacesOfTags(dimension, mesh.blocks, mesh.blockTags) : interfacesOf(result);
   return {
     dimension,
     name: title || name,
-    positions: primal.positions,
-    blocks: primal.blocks,
-    part: primal.blockPart,
-    ...(several ? { region: primal.blockPart.map((part) => parts.region[part]!) } : {}),
-    quality: primal.quality,
-    surfaces: surfacesOf(result),
-    boundary: { faces: primal.boundaryFaces, facet: primal.boundaryFacet },
+    positions,
+    blocks,
+    part: blockPart,
+    ...(several ? { region: blockPart.map((part) => parts.region[part]!) } : {}),
+    quality,
+    surfaces: mesh ? mesh.blockSurfaces : surfacesOf(result),
+    boundary: { faces: boundaryFaces, facet: boundaryFacet },
     ...(interfaces.facet.length > 0 ? { interfaces } : {}),
     ...(domain.facetNames ? { facetNames: domain.facetNames } : {}),
     patchOfFacet: reference.surfacePatch.slice(0, domain.facetOffsets.length - 1),
@@ -51,6 +52,47 @@ function surfacesOf({ dimension, primal }: RunResult): Int32Array {
     const end = first + kAxisEnds[i % dimension]!;
     return surfaceOfEdge.get(key(primal.blocks[first]!, primal.blocks[end]!)) ?? -1;
   });
+}
+
+/** Faces on facets that two blocks share; each once, as the block that comes first sees it. */
+function interfacesOfTags(dimension: 2 | 3, blocks: Int32Array, tags: Int32Array): FacetFaces {
+  const corners = 2 ** dimension;
+  const first = new Map<string, { face: number[]; surface: number }>();
+  const faces: number[] = [];
+  const facet: number[] = [];
+  tags.forEach((tag, i) => {
+    if (tag < 0) return;
+    const start = corners * Math.floor(i / (2 * dimension));
+    const face = blockFaces(dimension)[i % (2 * dimension)]!.map((corner) => blocks[start + corner]!);
+    const key = face.toSorted((a, b) => a - b).join(' ');
+    const other = first.get(key);
+    if (!other) {
+      first.set(key, { face, surface: tag >> 1 });
+      return;
+    }
+    faces.push(...other.face);
+    facet.push(other.surface);
+  });
+  return { faces: Int32Array.from(faces), facet: Int32Array.from(facet) };
+}
+
+/** Faces (2D: edges) of a block from outside, at the low and the high end of each axis. */
+function blockFaces(dimension: 2 | 3): readonly (readonly number[])[] {
+  return dimension === 2
+    ? [
+        [3, 0],
+        [1, 2],
+        [0, 1],
+        [2, 3],
+      ]
+    : [
+        [0, 4, 7, 3],
+        [1, 2, 6, 5],
+        [0, 1, 5, 4],
+        [3, 7, 6, 2],
+        [0, 3, 2, 1],
+        [4, 5, 6, 7],
+      ];
 }
 
 /** Faces of blocks on facets that have parts on both sides; each once, as the block that comes first sees it. */
