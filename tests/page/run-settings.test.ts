@@ -39,7 +39,12 @@ describe('the feature angle', () => {
     await openExample(page, 'cylinder');
     const smooth = await blocks(page);
     await give(page, angle, '0');
-    expect((await viewOf(page)).reference).toEqual({ edgeLength: 0, seed: 0, featureAngle: 0 });
+    expect((await viewOf(page)).reference).toEqual({
+      edgeLength: 0,
+      seed: 0,
+      featureAngle: 0,
+      mode: 'layered',
+    });
     const faceted = await blocks(page);
     expect(faceted).not.toBe(smooth);
     const state = await viewOf(page);
@@ -81,6 +86,47 @@ describe('the feature angle', () => {
     await openExample(page, 'l_shape_2d');
     expect(await page.getByLabel(angle).count()).toBe(0);
     expect(await page.getByLabel(limit).count()).toBe(1);
+    await page.close();
+  });
+});
+
+describe('the coarsest mesh', () => {
+  const elements = (page: Page): Promise<number> =>
+    page.evaluate(() => dualblock.stage.scene?.refinement?.quality.length ?? 0);
+
+  it('is what step 9 shows and files hold, while steps 1 to 8 stay; it comes back by a link and is undone', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    await setView(page, { step: 9, refine: 1 });
+    expect([await blocks(page), await elements(page)]).toEqual([64, 64]);
+    await page.getByRole('button', { name: 'Coarsest', exact: true }).click();
+    await settle(page);
+    expect([await blocks(page), await elements(page)]).toEqual([64, 8]);
+    expect(await page.getByLabel('Blocks', { exact: true }).textContent()).toMatch(/9 D̄-surfaces.*8 block/);
+    expect((await viewOf(page)).reference.mode).toBe('coarsest');
+
+    // A block of the final mesh is the layered one's that was left.
+    const related = await page.evaluate(() => {
+      dualblock.view.set({ selection: { kind: 'element', id: 3 } });
+      return dualblock.model!.result.primal.quality.length;
+    });
+    expect(related).toBe(64);
+    await page.keyboard.press('x');
+    const vtk = await downloaded(page, () => page.click('[data-export=vtk]'));
+    expect(vtk.bytes.toString()).toMatch(/CELLS 8 72/);
+    await page.keyboard.press('Escape');
+
+    const link = (await page.evaluate(() => dualblock.link()))!;
+    const { page: linked } = await host.open({ fragment: link.slice(link.indexOf('#')) });
+    expect([await viewOf(linked), await elements(linked)]).toEqual([await viewOf(page), 8]);
+    await linked.close();
+    await setView(page, { selection: null });
+    while ((await viewOf(page)).reference.mode === 'coarsest') {
+      await page.evaluate(() => dualblock.undo());
+      await settle(page);
+    }
+    expect(await elements(page)).toBe(64);
+    expectNoProblems(opened);
     await page.close();
   });
 });

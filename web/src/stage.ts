@@ -2,6 +2,7 @@
 // slice's handle, playing.
 import type { App } from './app.ts';
 import { dimensionOf, type Marks, marksInDomain, marksInModel, outlineOf } from './model/culprits.ts';
+import { finalMesh, layeredBlocks } from './model/final-mesh.ts';
 import type { Model } from './model/model.ts';
 import type { Insets } from './scene/camera.ts';
 import { markLayers } from './scene/marks.ts';
@@ -152,17 +153,20 @@ export class Stage {
     const { scene } = this;
     if (!scene || (state.step !== 9 && state.compare !== 9)) return;
     const { result } = scene.model;
-    if (result.primal.quality.length === 0) return;
+    const { positions, blocks } = finalMesh(result);
+    if (blocks.length === 0) return;
     const asked = this.refining;
     if (asked?.scene === scene && asked.intervals === state.refine) return;
     if (this.app.ui.state.busy) return;
     const mine = { scene, intervals: state.refine };
     this.refining = mine;
     this.app.core
-      .refine(result.dimension, result.primal.positions, result.primal.blocks, state.refine)
+      .refine(result.dimension, positions, blocks, state.refine)
       .then((refined) => {
         if (this.refining !== mine) return;
-        scene.setRefined({ intervals: mine.intervals, ...refined });
+        const layered = layeredBlocks(result);
+        const block = refined.block.map((b) => layered[b]!);
+        scene.setRefined({ intervals: mine.intervals, ...refined, block });
         this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
         this.show();
       })

@@ -17,7 +17,7 @@ import {
 const rich: ViewState = {
   ...defaultState,
   model: { source: 'file', name: 'a part – ü.off', hash: '00ff' },
-  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5 },
+  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5, mode: 'coarsest' },
   timeLimit: 90,
   step: 6,
   compare: 3,
@@ -129,7 +129,7 @@ describe('validation', () => {
     const state = validState({
       ...rich,
       model: { source: 'example', name: '../../secret' },
-      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270 },
+      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270, mode: 'fine' },
       timeLimit: -3,
       camera: { ...rich.camera, position: [1e300, 0, 0] },
       slice: { ...rich.slice, normal: [0, 0, 0] },
@@ -149,7 +149,7 @@ describe('validation', () => {
     });
     expect(state).toMatchObject({
       model: defaultState.model,
-      reference: { edgeLength: 0, seed: 3, featureAngle: 180 },
+      reference: { edgeLength: 0, seed: 3, featureAngle: 180, mode: 'layered' },
       timeLimit: 0,
       camera: null,
       slice: null,
@@ -168,12 +168,12 @@ describe('validation', () => {
     [
       'no angle and no limit, as in older links',
       { reference: { edgeLength: 1, seed: 2 } },
-      { reference: { edgeLength: 1, seed: 2, featureAngle: 'auto' }, timeLimit: 0 },
+      { reference: { edgeLength: 1, seed: 2, featureAngle: 'auto', mode: 'layered' }, timeLimit: 0 },
     ],
     [
       'an angle of 0, which is not auto',
       { reference: { featureAngle: 0 } },
-      { reference: { edgeLength: 0, seed: 0, featureAngle: 0 } },
+      { reference: { edgeLength: 0, seed: 0, featureAngle: 0, mode: 'layered' } },
     ],
     [
       'an angle and a limit in words',

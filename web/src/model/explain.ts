@@ -148,16 +148,28 @@ export function explain({ result, display }: Model, step: Step, refined: number)
           : 'Not valid: see the certificate.',
       };
     }
-    case 9:
+    case 9: {
+      const { mesh } = result;
+      const blockCount = (mesh ?? primal).quality.length;
+      const lead = mesh
+        ? 'D̄-surfaces have been extracted, each with the layer of blocks that it crosses, while every feature was kept. '
+        : '';
       return {
-        text: `Every block is cut evenly along its edges by its own ${flat ? 'bilinear' : 'trilinear'} map. Each small cell has the map of its block, restricted to a piece, as its own: it is valid where the block is.`,
+        text: `${lead}Every block is cut evenly along its edges by its own ${flat ? 'bilinear' : 'trilinear'} map. Each small cell has the map of its block, restricted to a piece, as its own: it is valid where the block is.`,
         section: 'Beyond the paper; section 5 leaves it to a mesher of blocks',
         counts: [
-          ['Cells', number(refined ** dimension * primal.quality.length)],
+          ...(mesh
+            ? ([
+                ['Blocks', number(blockCount)],
+                ['D̄-surfaces extracted', number(mesh.extracted.length)],
+              ] as [string, string][])
+            : []),
+          ['Cells', number(refined ** dimension * blockCount)],
           ['Intervals per edge', number(refined)],
         ],
         invariant: 'Conformal: neighbours share the nodes of their common faces.',
       };
+    }
   }
 }
 

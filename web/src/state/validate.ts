@@ -1,4 +1,5 @@
 // A view state from outside (a link, a file, a picture): whatever is missing or wrong takes its default.
+import { modes } from '../../../wasm/settings.ts';
 import {
   type Camera,
   defaultState,
@@ -126,6 +127,7 @@ export function validState(given: unknown): ViewState {
       edgeLength: number(reference['edgeLength'], 0, huge, 0),
       seed: Math.round(number(reference['seed'], 0, 2 ** 32 - 1, 0)),
       featureAngle: nullable(reference['featureAngle'], 0, 180) ?? 'auto',
+      mode: oneOf(reference['mode'], modes, 'layered'),
     },
     timeLimit: number(s['timeLimit'], 0, huge, 0),
     step: oneOf(s['step'], stepIds, d.step),

@@ -1,5 +1,7 @@
 // What is seen, as one plain value: everything that undo, links, state files and PNGs restore.
 
+import type { Mode } from '../../../wasm/settings.ts';
+
 export const steps = [
   { id: 1, name: 'Domain', short: 'Domain' },
   { id: 2, name: 'Reference mesh', short: 'Reference' },
@@ -78,11 +80,13 @@ export interface Camera {
   zoom: number;
 }
 
-/** What decides over the simplices that fill a domain and the sides that they find; see Settings of the core. */
+/** What decides over the simplices that fill a domain, the sides that they find and the blocks; see Settings of the core. */
 export interface Reference {
   edgeLength: number;
   seed: number;
   featureAngle: number | 'auto';
+  /** Which mesh is made of the layered one. */
+  mode: Mode;
 }
 
 export interface ViewState {
@@ -121,7 +125,7 @@ export const firstExample = 'square_ring';
 
 export const defaultState: ViewState = {
   model: { source: 'example', name: firstExample },
-  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto' },
+  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered' },
   timeLimit: 0,
   step: 8,
   compare: null,
