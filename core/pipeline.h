@@ -8,6 +8,7 @@
 #include "parts/choose.h"
 #include "parts/features.h"
 #include "reference/fill.h"
+#include "refinement/refine_blocks.h"
 
 namespace dualblock {
 
@@ -66,6 +67,24 @@ template <int N> struct PipelineResult {
 template <int N>
 Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
                                       const Progress &progress = {});
+
+/// Per surface of the reference mesh, its patch: what refineBlocks wants to know.
+template <int N> std::vector<Index> patchOfSurface(const ReferenceMesh<N> &mesh) {
+  std::vector<Index> patches;
+  for (const Surface<N> &surface : mesh.surfaces) patches.push_back(surface.patch);
+  return patches;
+}
+
+/// Refines the mesh that a run hands out: the final mesh, or the primal where there is none. Errors: as
+/// refineBlocks.
+template <int N>
+Result<RefinedMesh<N>> refineResult(const PipelineResult<N> &result, const RefineOptions &options) {
+  const BentShape<N> shape(bentFacetsOf(result.mesh, result.features, result.featureNodes));
+  const std::vector<Index> patches = patchOfSurface(result.mesh);
+  if (result.finalMesh) return refineBlocks(result.finalMesh->blocks, patches, shape, options);
+  const BlockMesh<N> layered = layeredBlocks(result.mesh, result.parts, result.surfaces, result.primal);
+  return refineBlocks(layered, patches, shape, options);
+}
 
 extern template Result<PipelineResult<2>> runPipeline(const Domain<2> &, const PipelineOptions &,
                                                       const Progress &);

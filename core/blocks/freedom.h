@@ -2,6 +2,7 @@
 // facets and bent sides within those, all others move freely (ARCHITECTURE.md 5).
 #pragma once
 
+#include "blocks/bent_shape.h"
 #include "blocks/block_mesh.h"
 
 namespace dualblock {
@@ -26,32 +27,10 @@ public:
   bool isBent(Index node) const;
 
 private:
-  using Face = std::array<Vec<N>, N>;
-  struct Nearest {
-    Vec<N> point{0.0};
-    Vec<N> direction{0.0}; // normal of the face, or direction of the segment
-  };
-  struct Patch;
-  static void sortAlong(Patch &patch);
-  Nearest onSide(Index patch, const Vec<N> &x) const;
-  Nearest onCurve(Index a, Index b, const Vec<N> &x) const;
-  bool hasFaces(Index patch) const { return !bent_[at(patch)].faces.empty(); }
-
   Lists<Index> patches_;
   std::vector<bool> fixed_;
   std::vector<Vec<N>> normals_; // per patch, of its plane
-  struct FaceAlong {
-    double middle; // along the patch's longest extent
-    Face face;
-  };
-  struct Patch {                  // of a bent side
-    std::vector<FaceAlong> faces; // sorted
-    int axis = 0;
-    double reach = 0; // from a face's middle to its ends, at most
-  };
-  std::vector<Patch> bent_;                     // per patch; without faces where it is plane
-  std::vector<std::array<Index, 2>> curveKeys_; // patches of each curve with a bent side, ascending
-  std::vector<std::vector<Segment<N>>> curves_; // the segments of each
+  BentShape<N> shape_;
 };
 
 extern template class Freedom<2>;

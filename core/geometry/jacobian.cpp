@@ -9,17 +9,18 @@ namespace {
 double det(const Vec<2> &a, const Vec<2> &b) { return a.x * b.y - a.y * b.x; }
 double det(const Vec<3> &a, const Vec<3> &b, const Vec<3> &c) { return glm::dot(a, glm::cross(b, c)); }
 
-/// Corner of a block by the bits of its parameters.
-template <int N> const Vec<N> &corner(const std::array<Vec<N>, 1 << N> &corners, unsigned bits) {
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (kBlockBits<N>[k] == bits) return corners[k];
-  return corners[0];
+/// The number of the corner that has the bits of its parameters.
+template <int N> constexpr auto cornerTable() {
+  std::array<std::size_t, 1 << N> table{};
+  for (std::size_t k = 0; k < table.size(); ++k) table[kBlockBits<N>[k]] = k;
+  return table;
 }
+template <int N> inline constexpr auto kCornerOfBits = cornerTable<N>();
 
 /// The edge along `axis` that starts at the corner given by `bits` (the axis' own bit is ignored).
 template <int N> Vec<N> edgeAlong(const std::array<Vec<N>, 1 << N> &corners, int axis, unsigned bits) {
   const unsigned low = bits & ~(1U << axis);
-  return corner<N>(corners, low | 1U << axis) - corner<N>(corners, low);
+  return corners[kCornerOfBits<N>[low | 1U << axis]] - corners[kCornerOfBits<N>[low]];
 }
 
 } // namespace

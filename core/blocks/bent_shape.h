@@ -1,0 +1,63 @@
+// The bent sides of a domain as points are put onto them: their facets, and the curves between them.
+#pragma once
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+/// The facets of bent sides and the segments of the curves that bound them, with the patches (half of
+/// ReferenceMesh::sideKey) that they belong to. Empty in 2D, where every side is straight.
+template <int N> struct BentFacets {
+  std::vector<std::array<Vec<N>, N>> faces;
+  std::vector<Index> patchOfFace;
+  std::vector<Segment<N>> segments;
+  std::vector<std::array<Index, 2>> patchesOfSegment; // ascending; one of them is bent
+};
+
+/// `features`: of the uncut mesh, whose nodes are `featureNodes`.
+template <int N>
+BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &features,
+                           const std::vector<Vec<N>> &featureNodes);
+
+/// The same, arranged for finding what is next to a point.
+template <int N> class BentShape {
+public:
+  struct Nearest {
+    Vec<N> point{0.0};
+    Vec<N> direction{0.0}; // normal of the facet, or direction of the segment
+  };
+
+  explicit BentShape(const BentFacets<N> &facets);
+
+  bool isBent(Index patch) const { return at(patch) < sides_.size() && !sides_[at(patch)].faces.empty(); }
+  /// Of a bent patch's facets.
+  Nearest onSide(Index patch, const Vec<N> &x) const;
+  /// Of the curve between two patches; x itself, without a direction, where there is none.
+  Nearest onCurve(Index a, Index b, const Vec<N> &x) const;
+  bool hasCurve(Index a, Index b) const;
+
+private:
+  struct FaceAlong {
+    double middle; // along the side's longest extent
+    std::array<Vec<N>, N> face;
+  };
+  struct Side {
+    std::vector<FaceAlong> faces; // sorted
+    int axis = 0;
+    double reach = 0; // from a face's middle to its ends, at most
+  };
+  static void sortAlong(Side &side);
+
+  std::vector<Side> sides_;                     // per patch; without faces where it is plane
+  std::vector<std::array<Index, 2>> curveKeys_; // patches of each curve, ascending
+  Lists<Segment<N>> curves_;                    // the segments of each
+};
+
+extern template BentFacets<2> bentFacetsOf(const ReferenceMesh<2> &, const Parts<2> &,
+                                           const std::vector<Vec<2>> &);
+extern template BentFacets<3> bentFacetsOf(const ReferenceMesh<3> &, const Parts<3> &,
+                                           const std::vector<Vec<3>> &);
+extern template class BentShape<2>;
+extern template class BentShape<3>;
+
+} // namespace dualblock

@@ -1,0 +1,41 @@
+// The edges and faces of a block mesh, each once, how its blocks see them, and the facets they lie on.
+#pragma once
+
+#include "blocks/block_mesh.h"
+
+namespace dualblock {
+
+/// The number of a block's corner at the ends of its axes that the bits give.
+template <int N> constexpr std::size_t cornerAt(unsigned bits) {
+  std::size_t k = 0;
+  while (kBlockBits<N>[k] != bits) ++k;
+  return k;
+}
+
+/// The number, within a block, of the edge along `axis` at the ends of the other axes that the bits give.
+template <int N> constexpr std::size_t edgeAt(int axis, unsigned bits) {
+  const unsigned low = bits & ((1U << axis) - 1);
+  return static_cast<std::size_t>(axis << (N - 1)) + (low | (bits >> (axis + 1)) << axis);
+}
+
+template <int N> struct Skeleton {
+  std::vector<std::array<Index, 2>> edges;                // the lower node first
+  std::vector<Index> surfaceOfEdge;                       // the D-bar-surface that crosses it
+  std::vector<std::array<Index, (N << (N - 1))>> edgesOf; // per block, as edgeAt says
+  Lists<Index> patchesOfEdge;                             // that it lies on, ascending
+
+  // Of hexahedra. A face's first node is its lowest, the next one the lower of those beside that.
+  std::vector<std::array<Index, 4>> faces;       // in a cycle
+  std::vector<std::array<Index, 4>> edgesOfFace; // from its node 0 to 1, 3 to 2, 0 to 3, 1 to 2
+  std::vector<std::array<Index, 6>> facesOf;     // per block, as in BlockMesh::tags
+  std::vector<Index> patchOfFace;                // that it lies on, or kNone
+};
+
+/// `patchOfSurface`: per surface of the reference mesh, as in Surface; patches are numbered as half of
+/// ReferenceMesh::sideKey.
+template <int N> Skeleton<N> skeletonOf(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface);
+
+extern template Skeleton<2> skeletonOf(const BlockMesh<2> &, const std::vector<Index> &);
+extern template Skeleton<3> skeletonOf(const BlockMesh<3> &, const std::vector<Index> &);
+
+} // namespace dualblock
