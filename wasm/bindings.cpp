@@ -4,7 +4,6 @@
 #include <malloc.h>
 
 #include <limits>
-#include <new>
 #include <optional>
 
 #include "geometry/jacobian.h"
@@ -170,6 +169,16 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
   return m;
 }
 
+template <int N> val bentFacetsToJs(const PipelineResult<N> &r) {
+  const BentFacets<N> facets = bentFacetsOf(r.mesh, r.features, r.featureNodes);
+  val b = val::object();
+  b.set("faces", toJs<double>(facets.faces));
+  b.set("patchOfFace", toJs<Index>(facets.patchOfFace));
+  b.set("segments", toJs<double>(facets.segments));
+  b.set("patchesOfSegment", toJs<Index>(facets.patchesOfSegment));
+  return b;
+}
+
 val certificateToJs(const Certificate &certificate, bool onlyMatching) {
   static constexpr const char *kChecks[] = {"matching", "cells", "topology", "geometry", "features"};
   val c = val::object();
@@ -207,27 +216,12 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   out.set("contributions", dualToJs(r));
   out.set("primal", primalToJs(r));
   out.set("mesh", finalMeshToJs(r));
+  out.set("bent", bentFacetsToJs(r));
   out.set("certificate", certificateToJs(r.certificate, r.onlyMatching));
   val timings = val::object();
   for (const StageTime &t : r.timings) timings.set(t.stage, t.milliseconds);
   out.set("timings", timings);
   return out;
-}
-
-/// Runs `work`, which returns a val; whatever it throws becomes a failure.
-template <typename Work> val guarded(Work work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc &) {
-    return failure(
-        {ErrorCode::outOfMemory, "There is not enough memory: refine less, or simplify the domain.", {}});
-  } catch (const std::length_error &) {
-    return failure(
-        {ErrorCode::outOfMemory, "There is not enough memory: refine less, or simplify the domain.", {}});
-  } catch (const std::exception &e) {
-    return failure(
-        {ErrorCode::internal, std::string("A defect in dualblock: ") + e.what() + ". Please report it.", {}});
-  }
 }
 
 /// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, coarsest}, every one a number in

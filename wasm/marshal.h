@@ -3,6 +3,8 @@
 
 #include <emscripten/val.h>
 
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -18,6 +20,16 @@ using emscripten::val;
 template <typename T> std::vector<T> fromJs(const val &array) {
   std::vector<T> out(array["length"].as<std::size_t>());
   val(emscripten::typed_memory_view(out.size(), out.data())).call<void>("set", array);
+  return out;
+}
+
+/// The same for vectors of points or arrays, whose scalars a flat typed array gives.
+template <typename T, typename Scalar> std::vector<T> rowsFromJs(const val &array) {
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(Scalar) == 0);
+  std::vector<T> out(array["length"].as<std::size_t>() * sizeof(Scalar) / sizeof(T));
+  auto *const data = reinterpret_cast<Scalar *>(out.data());
+  val(emscripten::typed_memory_view(out.size() * (sizeof(T) / sizeof(Scalar)), data))
+      .call<void>("set", array);
   return out;
 }
 
@@ -73,6 +85,22 @@ inline val failure(const Error &error) {
   result.set("ok", false);
   result.set("error", e);
   return result;
+}
+
+/// Runs `work`, which returns a val; whatever it throws becomes a failure.
+template <typename Work> val guarded(Work work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc &) {
+    return failure(
+        {ErrorCode::outOfMemory, "There is not enough memory: refine less, or simplify the domain.", {}});
+  } catch (const std::length_error &) {
+    return failure(
+        {ErrorCode::outOfMemory, "There is not enough memory: refine less, or simplify the domain.", {}});
+  } catch (const std::exception &e) {
+    return failure(
+        {ErrorCode::internal, std::string("A defect in dualblock: ") + e.what() + ". Please report it.", {}});
+  }
 }
 
 } // namespace dualblock

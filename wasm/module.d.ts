@@ -38,3 +38,29 @@ declare module '*/build/dualblock.mjs' {
     print?: (line: string) => void;
   }): Promise<CoreModule>;
 }
+
+declare module '*/build/refinement.mjs' {
+  import type { RefineAnswer, RefineInput } from './refine.ts';
+
+  export interface RefinementModule {
+    refine(
+      mesh: RefineInput,
+      options: {
+        intervals: number;
+        /** 0: by intervals. */
+        size: number;
+        /** Elements, at most. */
+        limit: number;
+        /** D̄-surface and intervals, one after the other. */
+        ofSurface: Int32Array;
+        gradedFacets: Int32Array;
+        growths: Float64Array;
+      },
+      progress: ((done: number) => void) | null,
+    ): RefineAnswer;
+  }
+
+  export default function createRefinement(options?: {
+    wasmBinary?: Uint8Array | ArrayBuffer;
+  }): Promise<RefinementModule>;
+}

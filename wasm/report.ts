@@ -1,5 +1,6 @@
 // The report of a run (format "dualblock-report/1"): what every script that calls dualblock depends on.
 import { version } from '../package.json';
+import type { RefinedMesh } from './refine.ts';
 import type { CoreError, RunResult } from './result.ts';
 import type { Settings } from './settings.ts';
 
@@ -17,7 +18,12 @@ export interface FeatureTally {
 }
 
 /** A run's result as a plain object, ready for JSON. `memory` is the core's peak in bytes. */
-export function makeReport(result: RunResult, settings: Settings, memory: number) {
+export function makeReport(
+  result: RunResult,
+  settings: Settings,
+  memory: number,
+  refined: RefinedMesh | null = null,
+) {
   const { domain, reference, parts, contributions, primal, mesh, certificate } = result;
   return {
     format: reportFormat,
@@ -79,6 +85,7 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
       nodes: (mesh ?? primal).positions.length / result.dimension,
       blocks: (mesh ?? primal).quality.length,
     },
+    ...(refined ? { refined: describeRefined(refined, result.dimension) } : {}),
     certificate,
     features: { curves: tallyFeatures(result), vertices: tallyVertices(result) },
     quality: { scaledJacobian: summarize((mesh ?? primal).quality) },
@@ -87,6 +94,21 @@ export function makeReport(result: RunResult, settings: Settings, memory: number
   };
 }
 export type Report = ReturnType<typeof makeReport>;
+
+/** What blocks were divided into. Each element is positive where its block is (ARCHITECTURE.md 9). */
+function describeRefined(refined: RefinedMesh, dimension: 2 | 3) {
+  const intervals = Object.fromEntries(
+    Array.from(refined.intervals, (n, surface) => [surface, n] as const).filter(([, n]) => n > 0),
+  );
+  return {
+    nodes: refined.positions.length / dimension,
+    elements: refined.quality.length,
+    /** Per D̄-surface. */
+    intervals,
+    straightenedBlocks: refined.straightened,
+    scaledJacobian: summarize(refined.quality),
+  };
+}
 
 /** Blocks that a choice of parts would give; why there is no number, where there is none. */
 function degrees(radians: number | undefined): number {
@@ -166,6 +188,9 @@ export function describe(report: Report): string {
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
+    report.refined
+      ? `  refined: ${report.refined.elements} elements, ${report.refined.nodes} nodes, scaled Jacobian: minimum ${report.refined.scaledJacobian?.min.toFixed(3)}`
+      : '',
     certificate.isExact
       ? ''
       : `  ${reference.bentSides} bent side(s): straight blocks hold ${off.toFixed(1)} % ${off < 0 ? 'less' : 'more'} than the domain`.replace(

@@ -170,6 +170,13 @@ export interface RunResult {
     boundaryFaces: Int32Array;
     boundaryFacet: Int32Array;
   } | null;
+  /** The facets of bent sides and the segments of their curves, 9 and 6 coordinates each, and their patches. */
+  bent: {
+    faces: Float64Array;
+    patchOfFace: Int32Array;
+    segments: Float64Array;
+    patchesOfSegment: Int32Array;
+  };
   certificate: Certificate;
   /** Milliseconds per stage. */
   timings: Record<string, number>;

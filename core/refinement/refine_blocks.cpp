@@ -27,6 +27,7 @@ public:
     for (std::size_t f = 0; f < skeleton.patchOfFace.size(); ++f)
       isStraightFace_[f] = skeleton.patchOfFace[f] == kNone || !shape.isBent(skeleton.patchOfFace[f]);
     result_.intervals = spacing.intervals;
+    result_.places = spacing.places;
     number();
   }
 
@@ -91,6 +92,12 @@ private:
     }
     for (Index b = 0; b < blocks_.blockCount(); ++b) {
       firstOfBlock_.push_back(next);
+      auto &reversed = result_.isReversed.emplace_back();
+      for (int a = 0; a < N; ++a) {
+        const Index edge = skeleton_.edgesOf[at(b)][edgeAt<N>(a, 0)];
+        const bool isUp = skeleton_.edges[at(edge)][0] == blocks_.blocks[at(b)][0];
+        reversed[at(a)] = spacing_.isReversed[at(edge)] == isUp;
+      }
       Index inside = 1;
       std::size_t elements = 1;
       for (const Index n : intervalsOfBlock(b)) {
@@ -207,7 +214,8 @@ private:
 
   void fillFace(Index b, std::size_t face) {
     const auto &block = blocks_.blocks[at(b)];
-    const auto [p, q] = axesOfFace(face);
+    const std::size_t p = axesOfFace(face)[0];
+    const std::size_t q = axesOfFace(face)[1];
     const unsigned fixed = static_cast<unsigned>(face % 2) << face / 2;
     const auto cornerNode = [&](unsigned i, unsigned j) {
       return block[cornerAt<3>(fixed | i << p | j << q)];

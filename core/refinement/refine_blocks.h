@@ -18,6 +18,8 @@ template <int N> struct RefinedMesh {
   BoundaryFaces<N> boundary;
   BoundaryFaces<N> interfaces;  // faces on facets inside the domain, as one of the two blocks sees them
   std::vector<Index> intervals; // per D-bar-surface; 0 for one that is not in the mesh
+  Lists<double> places; // per D-bar-surface, as in Spacing
+  std::vector<std::array<std::uint8_t, N>> isReversed; // per block and axis: its surface runs against it
   Index straightened = 0;       // blocks that bent sides would have made invalid: their elements are straight
 };
 

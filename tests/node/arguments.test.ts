@@ -1,10 +1,12 @@
 // The command line's contract, word by word.
 import { describe, expect, it } from 'vitest';
-import { parseArguments, UsageError } from '../../wasm/cli/arguments.ts';
+import { parseArguments } from '../../wasm/cli/arguments.ts';
 import { helpText, options } from '../../wasm/cli/options.ts';
+import { UsageError } from '../../wasm/cli/usage.ts';
 
 const parse = (line: string): unknown => parseArguments(line.split(' ').filter((word) => word !== ''));
-const plain = { kind: 'run', outputs: [], report: null, quiet: false, settings: {} };
+const plain = { kind: 'run', outputs: [], report: null, quiet: false, settings: {}, refinement: null };
+const even = { intervals: 1, size: 0, ofSurface: [], gradings: [] };
 const file = { kind: 'file', path: 'a.json' };
 const check = { kind: 'check', mesh: 'a.vtk', domain: null, report: null, settings: {} };
 
@@ -34,6 +36,37 @@ describe('parseArguments', () => {
     [
       'a.json --mode coarsest --extract 3 --extract 0 --no-relax',
       { ...plain, source: file, settings: { mode: 'coarsest', extract: [3, 0], relax: false } },
+    ],
+    ['a.json --refine 4', { ...plain, source: file, refinement: { ...even, intervals: 4 } }],
+    [
+      'a.json --refine 2 --refine 7=5 --refine 0=1',
+      {
+        ...plain,
+        source: file,
+        refinement: {
+          ...even,
+          intervals: 2,
+          ofSurface: [
+            { surface: 7, intervals: 5 },
+            { surface: 0, intervals: 1 },
+          ],
+        },
+      },
+    ],
+    [
+      'a.json --size 0.25 --grade 3=1.2 --grade inlet=west=2',
+      {
+        ...plain,
+        source: file,
+        refinement: {
+          ...even,
+          size: 0.25,
+          gradings: [
+            { side: '3', growth: 1.2 },
+            { side: 'inlet=west', growth: 2 },
+          ],
+        },
+      },
     ],
     ['a.json --feature-angle auto', { ...plain, source: file, settings: { featureAngle: 'auto' } }],
     [

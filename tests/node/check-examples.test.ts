@@ -9,11 +9,11 @@ import type { Mesh } from '../../wasm/check/mesh.ts';
 import { domainReader } from '../../wasm/check/read-domain.ts';
 import { meshReader } from '../../wasm/check/read-mesh.ts';
 import type { Dualblock } from '../../wasm/dualblock.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { altered, randomNumbers } from './support/block-meshes.ts';
 import { curved, exampleBytes, examples, runExample, startCore } from './support/core.ts';
 import { box, domainJson, prism, type Solid, together } from './support/solids.ts';
 import { bytesOf } from './support/surface-files.ts';
+import { meshWriter } from './support/writers.ts';
 
 let core: Dualblock;
 beforeAll(async () => {

@@ -2,9 +2,9 @@
 import { describe, expect, it } from 'vitest';
 import { readVtu } from '../../wasm/check/read-vtu.ts';
 import type { ErrorCode } from '../../wasm/error-codes.ts';
-import { writeVtu } from '../../wasm/io/write-vtu.ts';
 import { errorOf } from './support/core.ts';
 import { twoSquares } from './support/small-meshes.ts';
+import { writeVtu } from './support/writers.ts';
 
 const ours = Buffer.from(writeVtu(twoSquares)).toString('latin1');
 const read = (text: string) => readVtu(Buffer.from(text, 'latin1'));

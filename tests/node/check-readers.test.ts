@@ -7,11 +7,11 @@ import { domainReader } from '../../wasm/check/read-domain.ts';
 import { meshReader } from '../../wasm/check/read-mesh.ts';
 import type { ErrorCode } from '../../wasm/error-codes.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { cells, grid, randomNumbers, vtkOf } from './support/block-meshes.ts';
 import { errorOf, exampleBytes, runExample, startCore } from './support/core.ts';
 import { asFiles, box } from './support/solids.ts';
 import { bytesOf, type Input } from './support/surface-files.ts';
+import { meshWriter } from './support/writers.ts';
 
 const read = (extension: string, input: Input): Mesh => meshReader(`a.${extension}`)(bytesOf(input));
 const readDomain = (extension: string, input: Input) => domainReader(`a.${extension}`)(bytesOf(input));

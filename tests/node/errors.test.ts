@@ -4,9 +4,9 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock, Settings } from '../../wasm/dualblock.ts';
 import { type ErrorCode, errorCodes } from '../../wasm/error-codes.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { digest, entitiesOf, errorOf, exampleBytes, runExample, runFile, startCore } from './support/core.ts';
 import { bytesOf } from './support/surface-files.ts';
+import { meshWriter } from './support/writers.ts';
 import { wrongDomains } from './support/wrong-domains.ts';
 import { type Case, wrongFiles } from './support/wrong-files.ts';
 

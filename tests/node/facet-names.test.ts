@@ -5,10 +5,10 @@ import { blockMesh } from '../../wasm/io/block-mesh-of.ts';
 import { facetGroups } from '../../wasm/io/facet-groups.ts';
 import { mergedNames, namesInFile } from '../../wasm/io/facet-names.ts';
 import { polyMarkers } from '../../wasm/io/poly-markers.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { errorOf, exampleBytes, runExample, runFile, startCore } from './support/core.ts';
 import { asFiles, box, domainJson, textStl } from './support/solids.ts';
 import { bytesOf, type Input } from './support/surface-files.ts';
+import { meshWriter } from './support/writers.ts';
 
 let core: Dualblock;
 beforeAll(async () => {

@@ -5,10 +5,10 @@ import { checkMesh, defaultCheckSettings } from '../../wasm/check/check.ts';
 import { domainReader } from '../../wasm/check/read-domain.ts';
 import { meshReader } from '../../wasm/check/read-mesh.ts';
 import type { Dualblock, Settings } from '../../wasm/dualblock.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { makeReport } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
 import { curved, errorOf, exampleBytes, examples, runExample, startCore } from './support/core.ts';
+import { meshWriter } from './support/writers.ts';
 
 let core: Dualblock;
 beforeAll(async () => {

@@ -8,12 +8,11 @@ import { readGmsh } from '../../wasm/check/read-gmsh.ts';
 import type { Dualblock } from '../../wasm/dualblock.ts';
 import { blockMesh } from '../../wasm/io/block-mesh-of.ts';
 import { type FacetGroup, facetGroups } from '../../wasm/io/facet-groups.ts';
-import { writeBlockMeshDict } from '../../wasm/io/write-block-mesh-dict.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import type { RunResult } from '../../wasm/result.ts';
 import { exampleBytes, runExample, runFile, startCore } from './support/core.ts';
 import { complaints, hasProgram, hasPythonModule, runIn, runPython, useFolder } from './support/programs.ts';
 import { box, domainJson } from './support/solids.ts';
+import { meshWriter, writeBlockMeshDict } from './support/writers.ts';
 
 let core: Dualblock;
 beforeAll(async () => {
@@ -150,6 +149,7 @@ print(json.dumps({'points': len(m.points), 'sum': m.points.sum(), 'cells': cells
 describe.runIf(hasPythonModule('vtk', 'python3-vtk9'))('VTK', () => {
   const script = `
 import json, sys, vtk
+import { writeBlockMeshDict, meshWriter } from './support/writers.ts';
 reader = (vtk.vtkXMLUnstructuredGridReader if sys.argv[1].endswith('.vtu') else vtk.vtkUnstructuredGridReader)()
 reader.SetFileName(sys.argv[1])
 if not sys.argv[1].endswith('.vtu'): reader.ReadAllScalarsOn()

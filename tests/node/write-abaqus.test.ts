@@ -1,7 +1,9 @@
 // The writer of Abaqus input files: exact text in 2D, sets and element faces in 3D, numbers that fit their fields.
+
 import { expect, it } from 'vitest';
-import { shortNumber, writeAbaqus } from '../../wasm/io/write-abaqus.ts';
+import { shortNumber } from '../../wasm/io/write-abaqus.ts';
 import { twoCubes, twoSquares } from './support/small-meshes.ts';
+import { writeAbaqus } from './support/writers.ts';
 
 it('writes a plane mesh', () => {
   expect(writeAbaqus(twoSquares)).toBe(`*HEADING

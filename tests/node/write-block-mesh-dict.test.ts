@@ -1,8 +1,8 @@
 // The writer of OpenFOAM's blockMeshDict: exact text in 2D, which it extrudes; patches, zones and intervals in 3D.
 import { describe, expect, it } from 'vitest';
-import { writeBlockMeshDict } from '../../wasm/io/write-block-mesh-dict.ts';
 import { errorOf } from './support/core.ts';
 import { twoCubes, twoSquares } from './support/small-meshes.ts';
+import { writeBlockMeshDict } from './support/writers.ts';
 
 it('writes a plane mesh as one layer of cells', () => {
   expect(writeBlockMeshDict(twoSquares)).toBe(`FoamFile

@@ -3,9 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { readGmsh } from '../../wasm/check/read-gmsh.ts';
 import type { BlockMesh } from '../../wasm/io/block-mesh.ts';
 import { chainEdges } from '../../wasm/io/feature-chains.ts';
-import { writeGmsh } from '../../wasm/io/write-gmsh.ts';
 import { twoCubes, twoSquares } from './support/small-meshes.ts';
 import { bytesOf } from './support/surface-files.ts';
+import { writeGmsh } from './support/writers.ts';
 
 /** The lines of a section. */
 function section(text: string, name: string): string[] {

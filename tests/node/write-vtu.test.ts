@@ -2,8 +2,8 @@
 import { describe, expect, it } from 'vitest';
 import { readVtu } from '../../wasm/check/read-vtu.ts';
 import type { BlockMesh } from '../../wasm/io/block-mesh.ts';
-import { writeVtu } from '../../wasm/io/write-vtu.ts';
 import { twoCubes, twoSquares } from './support/small-meshes.ts';
+import { writeVtu } from './support/writers.ts';
 
 /** The arrays as the XML announces them: name, type, components, and the bytes behind the length. */
 function arraysOf(bytes: Uint8Array) {

@@ -2,12 +2,14 @@
 import { describe, expect, it } from 'vitest';
 import type { BlockMesh } from '../../wasm/io/block-mesh.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
-import { writeAbaqus } from '../../wasm/io/write-abaqus.ts';
-import { writeBlockMeshDict } from '../../wasm/io/write-block-mesh-dict.ts';
-import { writeGmsh } from '../../wasm/io/write-gmsh.ts';
-import { writeMedit } from '../../wasm/io/write-medit.ts';
-import { writeVtk } from '../../wasm/io/write-vtk.ts';
-import { writeVtu } from '../../wasm/io/write-vtu.ts';
+import {
+  writeAbaqus,
+  writeBlockMeshDict,
+  writeGmsh,
+  writeMedit,
+  writeVtk,
+  writeVtu,
+} from './support/writers.ts';
 
 const flat: BlockMesh = {
   dimension: 2,

@@ -2,11 +2,11 @@
 import { PNG } from 'pngjs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../wasm/dualblock.ts';
-import { meshWriter } from '../../wasm/io/write-mesh.ts';
 import { viewToFragment } from '../../web/src/state/codec.ts';
 import { extractText } from '../../web/src/state/png.ts';
 import { defaultState, type ViewState } from '../../web/src/state/view-state.ts';
 import { runExample, startCore } from '../node/support/core.ts';
+import { meshWriter } from '../node/support/writers.ts';
 import { cubeFiles } from './support/cube-files.ts';
 import {
   canvasShot,

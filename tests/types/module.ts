@@ -3,6 +3,7 @@ import { Dualblock, type InputFormat, type Progress, type Settings } from '../..
 import type { ErrorCode } from '../../wasm/error-codes.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
 import { meshWriter } from '../../wasm/io/write-mesh.ts';
+import { type RefinedMesh, Refiner, refineInput } from '../../wasm/refine.ts';
 import { makeReport, type Report } from '../../wasm/report.ts';
 import type { Check, RunResult } from '../../wasm/result.ts';
 
@@ -25,7 +26,9 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     const blocks: Int32Array = result.primal.blocks;
     const dimension: 2 | 3 = result.dimension;
     const check: Check | undefined = result.certificate.failures[0]?.check;
-    const file: string | Uint8Array = meshWriter('part.vtk')(result);
+    const refiner = await Refiner.create({ wasmBinary: bytes });
+    const refined: RefinedMesh = refiner.refine(refineInput(result), { intervals: 3 });
+    const file: (string | Uint8Array)[] = [...meshWriter('part.vtk')(result, refined)];
     console.log(blocks.length, dimension, check, file.length, core.memory().inUse);
     return makeReport(result, settings, core.memory().peak);
   } catch (error) {

@@ -2,6 +2,8 @@
 import { parseArgs } from 'node:util';
 import { type Mode, modes } from '../settings.ts';
 import { findOption, nearestOption, options } from './options.ts';
+import { type GivenRefinement, refinementOf } from './refinement.ts';
+import { badValue, between, quote, UsageError } from './usage.ts';
 
 /** Settings that the command line gave; what is absent keeps its default. */
 export interface GivenSettings {
@@ -33,6 +35,8 @@ export type Command =
       report: string | null;
       quiet: boolean;
       settings: GivenSettings;
+      /** How blocks are divided; null: not at all. */
+      refinement: GivenRefinement | null;
     }
   | {
       kind: 'check';
@@ -43,19 +47,6 @@ export type Command =
       report: string | null;
       settings: Pick<GivenSettings, 'tolerance' | 'featureAngle'>;
     };
-
-/** A command line that breaks the contract: the program prints message and remedy and exits with 2. */
-export class UsageError extends Error {
-  readonly remedy: string;
-  readonly exitStatus = 2;
-
-  /** `message` says what is wrong, `remedy` what to write instead. */
-  constructor(message: string, remedy: string) {
-    super(message);
-    this.name = 'UsageError';
-    this.remedy = remedy;
-  }
-}
 
 /**
  * Parses the words after the program's name. --help goes before --version, that before everything else; both still need
@@ -91,11 +82,22 @@ export function parseArguments(words: readonly string[]): Command {
     report,
     quiet: given.has('quiet'),
     settings: { ...settingsOf(first), ...meshSettingsOf(given) },
+    refinement: refinementOf(given),
   };
 }
 
 function checkOf(inputs: string[], given: Map<string, string[]>): Command {
-  for (const name of ['output', 'reference', 'seed', 'mode', 'extract', 'no-relax'])
+  for (const name of [
+    'output',
+    'reference',
+    'seed',
+    'mode',
+    'extract',
+    'no-relax',
+    'refine',
+    'size',
+    'grade',
+  ])
     if (given.has(name)) throw new UsageError(`--${name} does not go with --check`, 'leave it out');
   const first = (name: string): string | undefined => given.get(name)?.[0];
   const [mesh, ...others] = inputs;
@@ -240,15 +242,3 @@ function angleOf(value: string): number | 'auto' {
   if (degrees <= 180) return degrees;
   throw badValue('feature-angle', value, 'auto, or degrees from 0 to 180');
 }
-
-/** The decimal number that a value spells, over 0 and under `limit`. */
-function between(name: string, value: string, limit: number, wanted: string): number {
-  const number = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) : Number.NaN;
-  if (number > 0 && number < limit) return number;
-  throw badValue(name, value, wanted);
-}
-
-const badValue = (name: string, value: string, wanted: string): UsageError =>
-  new UsageError(`--${name} cannot be ${quote(value)}`, `give ${wanted}`);
-
-const quote = (text: string): string => JSON.stringify(text);

@@ -3,9 +3,10 @@ import { checkMesh, defaultCheckSettings } from '../check/check.ts';
 import { domainReader } from '../check/read-domain.ts';
 import { meshReader } from '../check/read-mesh.ts';
 import { describeCheck, makeCheckErrorReport, makeCheckReport } from '../check/report.ts';
-import { type Command, UsageError } from './arguments.ts';
+import type { Command } from './arguments.ts';
 import { asDualblockError, exitStatus, statusOf } from './exit-status.ts';
 import { putReport, readInput, readSource } from './files.ts';
+import { UsageError } from './usage.ts';
 
 /** Checks the mesh and says what it found. Returns the exit status; throws UsageError. */
 export async function check({ mesh, domain, report, settings: given }: Extract<Command, { kind: 'check' }>) {

@@ -1,8 +1,9 @@
 // What the command line reads and writes.
-import { readFile, writeFile } from 'node:fs/promises';
+import { type FileHandle, open, readFile } from 'node:fs/promises';
 import { DualblockError } from '../io/errors.ts';
 import { formatOf } from '../settings.ts';
-import { type Source, UsageError } from './arguments.ts';
+import type { Source } from './arguments.ts';
+import { UsageError } from './usage.ts';
 
 // This file is bundled into wasm/build/cli.mjs.
 const root = new URL('../../', import.meta.url);
@@ -40,12 +41,22 @@ export async function readSource(source: Source): Promise<{ name: string; bytes:
   return { name: source.path, bytes: await readInput(source.path) };
 }
 
-/** Throws UsageError. */
-export async function save(path: string, content: string | Uint8Array): Promise<void> {
+/** Writes a file piece by piece. Throws UsageError. */
+export async function save(path: string, pieces: Iterable<string | Uint8Array>): Promise<void> {
+  let file: FileHandle;
   try {
-    await writeFile(path, content);
+    file = await open(path, 'w');
   } catch {
     throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
+  }
+  try {
+    for (const piece of pieces) await file.writeFile(piece);
+  } catch (error) {
+    const { code } = error as NodeJS.ErrnoException;
+    if (code === undefined) throw error;
+    throw new UsageError(`${path} could not be written to its end (${code})`, 'make room for it');
+  } finally {
+    await file.close();
   }
 }
 
@@ -53,5 +64,5 @@ export async function save(path: string, content: string | Uint8Array): Promise<
 export async function putReport(path: string | null, report: unknown): Promise<void> {
   const text = `${JSON.stringify(report, null, 1)}\n`;
   if (path === '-') process.stdout.write(text);
-  else if (path !== null) await save(path, text);
+  else if (path !== null) await save(path, [text]);
 }

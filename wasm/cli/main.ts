@@ -1,15 +1,19 @@
 // The command line: `npx dualblock INPUT [-o OUTPUT ...] [--report FILE|-]`, and the other words of it.
 import { readFile } from 'node:fs/promises';
 import { version } from '../../package.json';
-import { Dualblock, defaultSettings, type Settings } from '../dualblock.ts';
+import { Dualblock, defaultSettings, type Progress, type Settings } from '../dualblock.ts';
 import { meshWriter } from '../io/write-mesh.ts';
+import { isRefined, type RefinedMesh, Refiner, refineInput } from '../refine.ts';
 import { describe, makeErrorReport, makeReport } from '../report.ts';
-import { type Command, type GivenSettings, parseArguments, UsageError } from './arguments.ts';
+import type { RunResult } from '../result.ts';
+import { type Command, type GivenSettings, parseArguments } from './arguments.ts';
 import { check } from './check.ts';
 import { asDualblockError, exitStatus, statusOf } from './exit-status.ts';
 import { putReport, readExamples, readSource, save } from './files.ts';
 import { helpText } from './options.ts';
 import { makeProgress } from './progress.ts';
+import { type GivenRefinement, resolve } from './refinement.ts';
+import { UsageError } from './usage.ts';
 
 type Run = Extract<Command, { kind: 'run' }>;
 
@@ -39,14 +43,15 @@ async function run(command: Run): Promise<number> {
     const { name, bytes } = await readSource(command.source);
     core.load(name, bytes);
     const result = core.run(settings, progress.update);
+    const refined = await refine(result, command.refinement, progress.update);
     progress.end();
-    const report = makeReport(result, settings, core.memory().peak);
+    const report = makeReport(result, settings, core.memory().peak, refined);
     await putReport(command.report, report);
     if (command.report !== '-') process.stdout.write(`${describe(report)}\n`);
     if (!result.certificate.valid) return exitStatus.noValidMesh;
     if (writers.length > 0 && result.onlyMatching)
       throw new UsageError('a domain with contributions of its own makes no mesh to write', 'leave -o out');
-    for (const { path, write } of writers) await save(path, write(result));
+    for (const { path, write } of writers) await save(path, write(result, refined));
     return exitStatus.certified;
   } catch (thrown) {
     progress.end();
@@ -59,6 +64,25 @@ async function run(command: Run): Promise<number> {
   } finally {
     core.dispose();
   }
+}
+
+/** Null where nothing is to be divided, or there is no mesh to divide. */
+async function refine(
+  result: RunResult,
+  given: GivenRefinement | null,
+  progress: Progress | null,
+): Promise<RefinedMesh | null> {
+  if (!given || !result.certificate.valid || result.onlyMatching) return null;
+  const refinement = resolve(given, result);
+  if (!isRefined(refinement)) return null;
+  const refiner = await Refiner.create({
+    wasmBinary: await readFile(new URL('./refinement.wasm', import.meta.url)),
+  });
+  return refiner.refine(
+    refineInput(result),
+    refinement,
+    progress && ((done) => progress('refinement', done)),
+  );
 }
 
 function outputWriter(path: string) {

@@ -31,6 +31,17 @@ export const options = {
   mode: { value: 'MODE', help: 'layered: blocks along every side (default); coarsest: as few as can be' },
   extract: { value: 'ID', repeatable: true, help: 'collapse the layer of a D̄-surface; may be repeated' },
   'no-relax': { help: 'leave nodes where they are placed first' },
+  refine: {
+    value: 'N|ID=N',
+    repeatable: true,
+    help: 'divide every edge, or those across a D̄-surface, into N; may be repeated',
+  },
+  size: { value: 'H', help: 'divide edges into as many intervals as keep them no longer than H' },
+  grade: {
+    value: 'FACET=G',
+    repeatable: true,
+    help: 'elements grow by the factor G away from a facet; may be repeated',
+  },
   'time-limit': { value: 'S', help: 'give up after S seconds; without it a run takes as long as it needs' },
   help: { help: 'print this text' },
   version: { help: 'print the version' },

@@ -1,6 +1,8 @@
 // From a run's result to the block mesh that the writers take.
+import type { RefinedMesh } from '../refine.ts';
 import type { RunResult } from '../result.ts';
 import type { BlockMesh, FacetFaces } from './block-mesh.ts';
+import { layeredSurfaces, layeredTags } from './layered.ts';
 
 /** The block mesh of a result, as the writers take it; it shares arrays with the result. */
 export function blockMesh(result: RunResult): BlockMesh {
@@ -24,19 +26,35 @@ export function blockMesh(result: RunResult): BlockMesh {
   };
 }
 
-/** The D̄-surface that crosses each block of the layered mesh along each axis. */
-export function layeredSurfaces({ primal, contributions }: RunResult): Int32Array {
-  return primal.blockSides.map((side) => contributions.surfaceOfSide[side]!);
+/** The elements of a refined mesh as blocks of their own, which carry their block's part, region and D̄-surfaces. */
+export function elementMesh(result: RunResult, refined: RefinedMesh): BlockMesh {
+  const { interfaces: _, ...coarse } = blockMesh(result);
+  const { dimension, part, region, surfaces } = coarse;
+  const { block } = refined;
+  const crossing = new Int32Array(dimension * block.length);
+  for (let e = 0; e < block.length; e++)
+    for (let axis = 0; axis < dimension; axis++)
+      crossing[dimension * e + axis] = surfaces![dimension * block[e]! + axis]!;
+  const { interfaceFaces, interfaceFacet } = refined;
+  return {
+    ...coarse,
+    positions: refined.positions,
+    blocks: refined.elements,
+    block,
+    part: block.map((b) => part[b]!),
+    ...(region ? { region: block.map((b) => region[b]!) } : {}),
+    quality: refined.quality,
+    surfaces: crossing,
+    boundary: { faces: refined.boundaryFaces, facet: refined.boundaryFacet },
+    ...(interfaceFacet.length > 0 ? { interfaces: { faces: interfaceFaces, facet: interfaceFacet } } : {}),
+  };
 }
 
-/** Tags of the layered mesh's faces, as `blockTags` of the final one: low faces are towards the part's centre. */
-function layeredTags({ primal, parts, reference }: RunResult): Int32Array {
-  const kFacet = 0; // of surfaceKind
-  return Int32Array.from({ length: 2 * primal.blockSides.length }, (_, i) => {
-    if (i % 2 === 0) return -1;
-    const tag = parts.sideTag[primal.blockSides[i >> 1]!]!;
-    return reference.surfaceKind[tag >> 1] === kFacet ? tag : -1; // a tag is 2 * surface, plus 1 in front of it
-  });
+/** The blocks of a result with the intervals that a refined mesh divides them into, for formats of blocks. */
+export function dividedBlocks(result: RunResult, refined: RefinedMesh): BlockMesh {
+  // A D̄-surface that is not in the mesh has no intervals, which no block asks for.
+  const intervals = refined.intervals.map((n) => Math.max(1, n));
+  return { ...blockMesh(result), intervals, spacing: refined };
 }
 
 /** Faces on facets that two blocks share; each once, as the block that comes first sees it. */

@@ -1,4 +1,5 @@
 // A finished block mesh as its writers take it.
+import type { RefinedMesh } from '../refine.ts';
 import { DualblockError } from './errors.ts';
 
 export interface BlockMesh {
@@ -13,6 +14,8 @@ export interface BlockMesh {
   part: Int32Array;
   /** Region of each block, as the input numbers them; left out where there is one only. */
   region?: Int32Array;
+  /** For a mesh of elements: the block that each is a piece of. */
+  block?: Int32Array;
   /** Quality of each block: the minimum scaled Jacobian, from -1 to 1. */
   quality: Float64Array;
   /** The D̄-surfaces that cross each block, `dimension` per block: along its axes 0-1, 0-3 and (3D) 0-4. */
@@ -22,6 +25,8 @@ export interface BlockMesh {
    * D̄-surface that of the edges that it crosses, which needs `surfaces`. 1 where left out.
    */
   intervals?: number | Int32Array;
+  /** Where those intervals are, if they are not even. */
+  spacing?: Spacing;
   /**
    * Boundary edges (2D, 2 node ids, the domain on their left) or faces (3D, 4 node ids, counter-clockwise from outside)
    * and the input facet, from 0, of each.
@@ -34,6 +39,9 @@ export interface BlockMesh {
   /** The name of each facet; empty or missing for facets without one. */
   facetNames?: readonly string[];
 }
+
+/** Where edges are divided: see RefinedMesh. */
+export type Spacing = Pick<RefinedMesh, 'placeOffsets' | 'places' | 'isReversed'>;
 
 /** Edges (2D) or faces (3D) of blocks, and the input facet that each lies on. */
 export interface FacetFaces {
@@ -61,6 +69,7 @@ export function checkBlockMesh(mesh: BlockMesh): void {
     mesh.part.length === blocks &&
     mesh.quality.length === blocks &&
     (mesh.region?.length ?? blocks) === blocks &&
+    (mesh.block?.length ?? blocks) === blocks &&
     (mesh.surfaces?.length ?? blocks * mesh.dimension) === blocks * mesh.dimension &&
     groups.every(({ faces, facet }) => faces.length === facet.length * boundaryCorners(mesh));
   if (!fits)
@@ -105,24 +114,40 @@ function notFinite(kind: string, index: number): DualblockError {
   );
 }
 
+/** Pieces of a file, in order: a file of millions of elements is never in memory as a whole. */
+export type Chunks = Generator<string | Uint8Array<ArrayBuffer>, void, undefined>;
+
+/** Characters after which rows become a piece of their own. */
+const kChunk = 1 << 16;
+
 /**
- * Appends one line per row of `width` values to `lines`, parted by blanks and closed by `tail(row)`; numbers in
- * JavaScript's shortest form that reads back as the same double.
+ * One line per row of `width` values, parted by blanks and closed by `tail(row)`; numbers in JavaScript's shortest form
+ * that reads back as the same double.
  */
-export function pushRows(
-  lines: string[],
+export function* rows(
   values: Float64Array | Int32Array,
   width: number,
   form: { lead?: string; shift?: number; tail?: (row: number) => string } = {},
-): void {
+): Generator<string, void, undefined> {
   const { lead = '', shift = 0, tail = () => '' } = form;
-  const rows = values.length / width;
-  for (let row = 0; row < rows; row++) {
+  yield* lines(values.length / width, (row) => {
     let line = lead;
     for (let i = 0; i < width; i++) {
       const value = (values[row * width + i] ?? 0) + shift;
       line += i === 0 ? value : ` ${value}`;
     }
-    lines.push(line + tail(row));
+    return line + tail(row);
+  });
+}
+
+/** `count` lines, many to a piece. */
+export function* lines(count: number, line: (row: number) => string): Generator<string, void, undefined> {
+  let piece = '';
+  for (let row = 0; row < count; row++) {
+    piece += `${line(row)}\n`;
+    if (piece.length < kChunk) continue;
+    yield piece;
+    piece = '';
   }
+  if (piece !== '') yield piece;
 }

@@ -1,5 +1,5 @@
 // Abaqus input files (.inp), as Abaqus, CalculiX and others read them: the mesh and its sets, no material and no step.
-import { type BlockMesh, blockCorners, checkBlockMesh } from './block-mesh.ts';
+import { type BlockMesh, blockCorners, type Chunks, checkBlockMesh, lines } from './block-mesh.ts';
 import { facetGroups, regionsOf, uniqueWords } from './facet-groups.ts';
 import { ownersOf } from './facet-owners.ts';
 
@@ -14,41 +14,39 @@ const kNumberWidth = 20;
  * and a surface of element faces, `FACET_0_FACES`. Nodes and elements count from 1. Coordinates are rounded to what fits
  * into 20 characters. The same mesh gives the same text. Throws what checkBlockMesh throws.
  */
-export function writeAbaqus(mesh: BlockMesh): string {
+export function* writeAbaqus(mesh: BlockMesh): Chunks {
   checkBlockMesh(mesh);
   const N = mesh.dimension;
-  const lines = ['*HEADING', headingOf(mesh.name), '*NODE, NSET=NODES'];
-  for (let node = 0; N * node < mesh.positions.length; node++) {
+  yield `*HEADING\n${headingOf(mesh.name)}\n*NODE, NSET=NODES\n`;
+  yield* lines(mesh.positions.length / N, (node) => {
     const x = [...mesh.positions.subarray(N * node, N * (node + 1)), ...(N === 2 ? [0] : [])];
-    lines.push(`${node + 1}, ${x.map(shortNumber).join(', ')}`);
-  }
-  lines.push(`*ELEMENT, TYPE=${N === 2 ? 'CPS4' : 'C3D8'}, ELSET=BLOCKS`);
+    return `${node + 1}, ${x.map(shortNumber).join(', ')}`;
+  });
+  yield `*ELEMENT, TYPE=${N === 2 ? 'CPS4' : 'C3D8'}, ELSET=BLOCKS\n`;
   const corners = blockCorners(mesh);
-  for (let block = 0; block < mesh.part.length; block++) {
+  yield* lines(mesh.part.length, (block) => {
     const nodes = mesh.blocks.subarray(corners * block, corners * (block + 1));
-    lines.push(`${block + 1}, ${Array.from(nodes, (node) => node + 1).join(', ')}`);
-  }
+    return `${block + 1}, ${Array.from(nodes, (node) => node + 1).join(', ')}`;
+  });
 
   const sets = blocksBy(mesh.part);
   for (const part of [...sets.keys()].sort((a, b) => a - b))
-    pushSet(lines, `*ELSET, ELSET=PART_${part}`, sets.get(part)!);
+    yield* set(`*ELSET, ELSET=PART_${part}`, sets.get(part)!);
   const regions = blocksBy(mesh.region ?? Int32Array.of());
   const regionWords = uniqueWords(regionsOf(mesh).map((region) => `REGION_${region}`));
-  regionsOf(mesh).forEach((region, i) => {
-    pushSet(lines, `*ELSET, ELSET=${regionWords[i]}`, regions.get(region)!);
-  });
+  for (const [i, region] of regionsOf(mesh).entries())
+    yield* set(`*ELSET, ELSET=${regionWords[i]}`, regions.get(region)!);
 
   const groups = facetGroups(mesh);
   const words = uniqueWords(groups.map(({ name }) => name)).map((word) => word.toUpperCase());
   const owners = ownersOf(mesh, groups);
-  groups.forEach(({ faces }, i) => {
+  for (const [i, { faces }] of groups.entries()) {
     const nodes = [...new Set(faces.flat())].sort((a, b) => a - b);
-    pushSet(lines, `*NSET, NSET=${words[i]}`, nodes);
-    lines.push(`*SURFACE, NAME=${words[i]}_FACES, TYPE=ELEMENT`);
-    for (const face of owners[i]!) if (face) lines.push(`${face.block + 1}, S${face.local + 1}`);
-  });
-  lines.push('');
-  return lines.join('\n');
+    yield* set(`*NSET, NSET=${words[i]}`, nodes);
+    yield `*SURFACE, NAME=${words[i]}_FACES, TYPE=ELEMENT\n`;
+    const known = owners[i]!.filter((face) => face !== undefined);
+    yield* lines(known.length, (k) => `${known[k]!.block + 1}, S${known[k]!.local + 1}`);
+  }
 }
 
 function blocksBy(values: Int32Array): Map<number, number[]> {
@@ -62,15 +60,14 @@ function blocksBy(values: Int32Array): Map<number, number[]> {
 }
 
 /** A keyword line and the members of a set, given from 0. */
-function pushSet(lines: string[], keyword: string, members: readonly number[]): void {
-  lines.push(keyword);
-  for (let i = 0; i < members.length; i += kPerLine)
-    lines.push(
-      members
-        .slice(i, i + kPerLine)
-        .map((member) => member + 1)
-        .join(', '),
-    );
+function* set(keyword: string, members: readonly number[]): Chunks {
+  yield `${keyword}\n`;
+  yield* lines(Math.ceil(members.length / kPerLine), (row) =>
+    members
+      .slice(kPerLine * row, kPerLine * (row + 1))
+      .map((member) => member + 1)
+      .join(', '),
+  );
 }
 
 /** A number as exactly as 20 characters can say it. */

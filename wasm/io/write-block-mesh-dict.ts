@@ -1,43 +1,39 @@
 // OpenFOAM's blockMeshDict: the blocks themselves, which blockMesh divides into cells.
-import { type BlockMesh, blockCorners, checkBlockMesh } from './block-mesh.ts';
+import {
+  type BlockMesh,
+  blockCorners,
+  type Chunks,
+  checkBlockMesh,
+  lines,
+  type Spacing,
+} from './block-mesh.ts';
 import { facetGroups, uniqueWords } from './facet-groups.ts';
 
 /** A mesh of the plane gets this part of its larger extent as thickness. */
 const kThickness = 0.1;
 
 /**
- * The mesh as a blockMeshDict: a `hex` per block, with the mesh's intervals and simpleGrading, in a cell zone per region
+ * The mesh as a blockMeshDict: a `hex` per block, with the mesh's intervals and gradings, in a cell zone per region
  * of an assembly, and a patch per group of facets, such as `facet_0`; facets inside the domain are none. 2D: one layer of
  * cells along z, with the patch `frontAndBack` of type `empty`. Lengths are taken for metres. The same mesh gives the same
  * text. Throws what checkBlockMesh throws.
  */
-export function writeBlockMeshDict(mesh: BlockMesh): string {
+export function* writeBlockMeshDict(mesh: BlockMesh): Chunks {
   checkBlockMesh(mesh);
-  const lines = [
-    'FoamFile',
-    '{',
-    '    version 2.0;',
-    '    format ascii;',
-    '    class dictionary;',
-    '    object blockMeshDict;',
-    '}',
-    '',
-  ];
-  pushList(lines, 'vertices', verticesOf(mesh).map(row));
-  pushList(lines, 'blocks', blocksOf(mesh));
-  lines.push('edges ();', '');
-  pushList(lines, 'boundary', patchesOf(mesh));
-  lines.push('mergePatchPairs ();', '');
-  return lines.join('\n');
+  yield 'FoamFile\n{\n    version 2.0;\n    format ascii;\n    class dictionary;\n    object blockMeshDict;\n}\n\n';
+  yield* list('vertices', verticesOf(mesh).map(row));
+  yield* list('blocks', blocksOf(mesh));
+  yield 'edges ();\n\n';
+  yield* list('boundary', patchesOf(mesh));
+  yield 'mergePatchPairs ();\n';
 }
 
 const row = (values: readonly number[]): string => `(${values.join(' ')})`;
 
-function pushList(lines: string[], name: string, items: readonly string[]): void {
-  // In a loop, because arguments of a call have to fit on the stack.
-  lines.push(name, '(');
-  for (const item of items) lines.push(`    ${item}`);
-  lines.push(');', '');
+function* list(name: string, items: readonly string[]): Chunks {
+  yield `${name}\n(\n`;
+  yield* lines(items.length, (i) => `    ${items[i]}`);
+  yield ');\n\n';
 }
 
 /** Points in space; of a plane mesh those at z = 0, then those above them. */
@@ -68,17 +64,45 @@ const above = (mesh: BlockMesh, nodes: readonly number[]): number[] =>
   nodes.map((node) => node + mesh.positions.length / 2);
 
 function blocksOf(mesh: BlockMesh): string[] {
-  const { dimension, surfaces, intervals, region } = mesh;
+  const { dimension, surfaces, intervals, region, spacing } = mesh;
   return Array.from(mesh.part, (_, block) => {
-    const counts = [0, 1, 2].map((axis) => {
-      if (axis >= dimension) return 1;
-      if (typeof intervals !== 'object') return intervals ?? 1;
-      return intervals[surfaces?.[dimension * block + axis] ?? -1] ?? 1;
+    const axes = [0, 1, 2].map((axis) => {
+      if (axis >= dimension) return { count: 1, grading: '1' };
+      if (typeof intervals !== 'object') return { count: intervals ?? 1, grading: '1' };
+      const at = dimension * block + axis;
+      const surface = surfaces?.[at] ?? -1;
+      const grading = spacing ? gradingOf(spacing, surface, spacing.isReversed[at] === 1) : '1';
+      return { count: intervals[surface] ?? 1, grading };
     });
     const zone = region ? ` region_${String(region[block]).replace('-', 'minus')}` : '';
-    return `hex ${row(cornersOf(mesh, block))}${zone} ${row(counts)} simpleGrading (1 1 1)`;
+    const counts = row(axes.map(({ count }) => count));
+    const gradings = axes.map(({ grading }) => grading).join(' ');
+    return `hex ${row(cornersOf(mesh, block))}${zone} ${counts} simpleGrading (${gradings})`;
   });
 }
+
+/**
+ * How lengths grow along an edge: the last interval's over the first's, where they grow in one direction only; else the
+ * same for both halves, with the part of the edge and the intervals that each has.
+ */
+function gradingOf({ placeOffsets, places }: Spacing, surface: number, isReversed: boolean): string {
+  const own = places.subarray(placeOffsets[surface], placeOffsets[surface + 1]);
+  const lengths = Array.from(own.subarray(1), (place, k) => place - own[k]!);
+  if (isReversed) lengths.reverse();
+  const largest = lengths.reduce((best, length, k) => (length > lengths[best]! * (1 + 1e-9) ? k : best), 0);
+  const ratio = (from: number, to: number): number => round(lengths[to]! / lengths[from]!);
+  const last = lengths.length - 1;
+  if (largest === 0 || largest === last) return String(ratio(0, last));
+  const near = lengths.slice(0, largest + 1).reduce((sum, length) => sum + length, 0);
+  const sections = [
+    [round(near), largest + 1, ratio(0, largest)],
+    [round(1 - near), last - largest, ratio(largest + 1, last)],
+  ];
+  return `(${sections.map(row).join(' ')})`;
+}
+
+/** Without the last digits, which are rounding. */
+const round = (x: number): number => Number(x.toPrecision(12));
 
 function patchesOf(mesh: BlockMesh): string[] {
   const groups = facetGroups(mesh).filter(({ isInner }) => !isInner);

@@ -1,5 +1,5 @@
 // Gmsh's MSH format, version 4.1, text.
-import { type BlockMesh, checkBlockMesh } from './block-mesh.ts';
+import { type BlockMesh, type Chunks, checkBlockMesh, lines } from './block-mesh.ts';
 import { type Entity, gmshModel } from './gmsh-entities.ts';
 
 const kLine = 1;
@@ -14,42 +14,40 @@ const kElementTypes: Record<number, number> = { 2: kLine, 4: kQuadrilateral, 8: 
  * curves, surfaces and volumes that bound one another. The same mesh gives the same text. Throws what checkBlockMesh
  * throws.
  */
-export function writeGmsh(mesh: BlockMesh): string {
+export function* writeGmsh(mesh: BlockMesh): Chunks {
   checkBlockMesh(mesh);
   const { entities, physical } = gmshModel(mesh);
-  const lines = ['$MeshFormat', '4.1 0 8', '$EndMeshFormat'];
+  yield '$MeshFormat\n4.1 0 8\n$EndMeshFormat\n';
 
-  lines.push('$PhysicalNames', String(physical.length));
-  for (const { dimension, tag, name } of physical) lines.push(`${dimension} ${tag} "${plainName(name)}"`);
-  lines.push('$EndPhysicalNames');
+  yield `$PhysicalNames\n${physical.length}\n`;
+  for (const { dimension, tag, name } of physical) yield `${dimension} ${tag} "${plainName(name)}"\n`;
+  yield '$EndPhysicalNames\n';
 
-  lines.push('$Entities', entities.map((list) => list.length).join(' '));
-  entities.forEach((list, dimension) => {
-    for (const entity of list) lines.push(entityLine(mesh, entity, dimension));
-  });
-  lines.push('$EndEntities');
+  yield `$Entities\n${entities.map((list) => list.length).join(' ')}\n`;
+  for (const [dimension, list] of entities.entries())
+    yield* lines(list.length, (i) => entityLine(mesh, list[i]!, dimension));
+  yield '$EndEntities\n';
 
   const located = entities.flatMap((list, dimension) => list.map((entity) => ({ dimension, ...entity })));
   const withNodes = located.filter(({ nodes }) => nodes.length > 0);
   const nodes = mesh.positions.length / mesh.dimension;
-  lines.push('$Nodes', `${withNodes.length} ${nodes} 1 ${nodes}`);
+  yield `$Nodes\n${withNodes.length} ${nodes} 1 ${nodes}\n`;
   for (const { dimension, tag, nodes: list } of withNodes) {
-    lines.push(`${dimension} ${tag} 0 ${list.length}`);
-    for (const node of list) lines.push(String(node + 1));
-    for (const node of list) lines.push(pointOf(mesh, node).join(' '));
+    yield `${dimension} ${tag} 0 ${list.length}\n`;
+    yield* lines(list.length, (i) => String(list[i]! + 1));
+    yield* lines(list.length, (i) => pointOf(mesh, list[i]!).join(' '));
   }
-  lines.push('$EndNodes');
+  yield '$EndNodes\n';
 
   const withElements = located.filter(({ elements }) => elements.length > 0);
   const count = withElements.reduce((sum, { elements }) => sum + elements.length, 0);
-  lines.push('$Elements', `${withElements.length} ${count} 1 ${count}`);
+  yield `$Elements\n${withElements.length} ${count} 1 ${count}\n`;
   let element = 0;
   for (const { dimension, tag, elements } of withElements) {
-    lines.push(`${dimension} ${tag} ${kElementTypes[elements[0]!.length]} ${elements.length}`);
-    for (const list of elements) lines.push(`${++element} ${list.map((node) => node + 1).join(' ')}`);
+    yield `${dimension} ${tag} ${kElementTypes[elements[0]!.length]} ${elements.length}\n`;
+    yield* lines(elements.length, (i) => `${++element} ${elements[i]!.map((node) => node + 1).join(' ')}`);
   }
-  lines.push('$EndElements', '');
-  return lines.join('\n');
+  yield '$EndElements\n';
 }
 
 /** An entity's tag, its box (of a point: the point), its physical group and what bounds it. */

@@ -1,7 +1,8 @@
 // The door to the writers.
+import type { RefinedMesh } from '../refine.ts';
 import type { RunResult } from '../result.ts';
-import type { BlockMesh } from './block-mesh.ts';
-import { blockMesh } from './block-mesh-of.ts';
+import type { BlockMesh, Chunks } from './block-mesh.ts';
+import { blockMesh, dividedBlocks, elementMesh } from './block-mesh-of.ts';
 import { DualblockError } from './errors.ts';
 import { writeAbaqus } from './write-abaqus.ts';
 import { writeBlockMeshDict } from './write-block-mesh-dict.ts';
@@ -11,32 +12,34 @@ import { writeMedit } from './write-medit.ts';
 import { writeVtk } from './write-vtk.ts';
 import { writeVtu } from './write-vtu.ts';
 
-/** A file's content. */
-export type MeshFile = string | Uint8Array<ArrayBuffer>;
+/** Writes the mesh of a result, or the refined one, piece by piece. */
+export type MeshWriter = (result: RunResult, refined?: RefinedMesh | null) => Chunks;
 
-const ofBlocks =
-  (write: (mesh: BlockMesh) => MeshFile) =>
-  (result: RunResult): MeshFile =>
-    write(blockMesh(result));
+const ofElements =
+  (write: (mesh: BlockMesh) => Chunks): MeshWriter =>
+  (result, refined = null) =>
+    write(refined ? elementMesh(result, refined) : blockMesh(result));
 
 const writers = {
-  vtk: ofBlocks(writeVtk),
-  vtu: ofBlocks(writeVtu),
-  msh: ofBlocks(writeGmsh),
-  mesh: ofBlocks(writeMedit),
-  inp: ofBlocks(writeAbaqus),
+  vtk: ofElements(writeVtk),
+  vtu: ofElements(writeVtu),
+  msh: ofElements(writeGmsh),
+  mesh: ofElements(writeMedit),
+  inp: ofElements(writeAbaqus),
   json: writeJson,
-  blockMeshDict: ofBlocks(writeBlockMeshDict),
-};
+  // OpenFOAM divides the blocks itself.
+  blockMeshDict: (result, refined = null) =>
+    writeBlockMeshDict(refined ? dividedBlocks(result, refined) : blockMesh(result)),
+} satisfies Record<string, MeshWriter>;
 
 /** File name extensions that a mesh can be written to; OpenFOAM's is also a whole name. */
 export const outputFormats = Object.keys(writers) as (keyof typeof writers)[];
 
 /**
- * The writer for a file, by its name's extension, in any case, or by its whole name where that is `blockMeshDict`; it
- * gives text or bytes. Throws `formatUnknown`.
+ * The writer for a file, by its name's extension, in any case, or by its whole name where that is `blockMeshDict`. Throws
+ * `formatUnknown`.
  */
-export function meshWriter(fileName: string): (result: RunResult) => MeshFile {
+export function meshWriter(fileName: string): MeshWriter {
   const name = fileName.replace(/^.*[\\/]/, '');
   const extension = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
   const format = outputFormats.find((f) => f.toLowerCase() === extension);

@@ -64,8 +64,8 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
   allowed: valid,
   save: async (app) => {
     const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
-    const file = meshWriter(`mesh.${extension}`)(app.model!.result);
-    download(new Blob([file]), `${baseName(app.model!)}.${extension}`);
+    const pieces = meshWriter(`mesh.${extension}`)(app.model!.result);
+    download(new Blob([...pieces]), `${baseName(app.model!)}.${extension}`);
   },
 });
 

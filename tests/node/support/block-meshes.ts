@@ -1,6 +1,6 @@
 // Block meshes made by hand, for the checker, and ways to break them.
 import type { Mesh } from '../../../wasm/check/mesh.ts';
-import { writeVtk } from '../../../wasm/io/write-vtk.ts';
+import { writeVtk } from './writers.ts';
 
 /** The corners of the unit cube, in VTK's order. */
 export const kCorners = [

@@ -1,5 +1,5 @@
 // The mesh that is handed out, which step 9 refines: the layered one, or what is left of it.
-import { layeredSurfaces } from '../../../wasm/io/block-mesh-of.ts';
+import { layeredSurfaces } from '../../../wasm/io/layered.ts';
 import type { RunResult } from '../../../wasm/result.ts';
 
 /** Its nodes and blocks. */

@@ -1,0 +1,66 @@
+// The command line's words on refinement: --refine, --size and --grade.
+import { DualblockError } from '../io/errors.ts';
+import { isRefined, noRefinement, type Refinement } from '../refine.ts';
+import type { RunResult } from '../result.ts';
+import { badValue, between, UsageError } from './usage.ts';
+
+/** As given: sides are named, or numbered as the input numbers its facets. */
+export interface GivenRefinement extends Omit<Refinement, 'gradings'> {
+  gradings: { side: string; growth: number }[];
+}
+
+/** Null where nothing is said. Throws a UsageError. */
+export function refinementOf(given: Map<string, string[]>): GivenRefinement | null {
+  const [refine = [], size, grade = []] = [given.get('refine'), given.get('size')?.[0], given.get('grade')];
+  if (refine.length === 0 && size === undefined && grade.length === 0) return null;
+  const refinement: GivenRefinement = { ...noRefinement, ofSurface: [], gradings: [] };
+  const everywhere: string[] = [];
+  for (const value of refine) {
+    const [, surface, count] = /^(?:(\d{1,9})=)?([1-9]\d{0,8})$/.exec(value) ?? [];
+    if (count === undefined) throw badValue('refine', value, 'N, or ID=N for a D̄-surface, N from 1 on');
+    if (surface === undefined) everywhere.push(value);
+    else refinement.ofSurface.push({ surface: Number(surface), intervals: Number(count) });
+  }
+  if (everywhere.length > 1)
+    throw new UsageError(`--refine ${everywhere.join(' and --refine ')}`, 'give one N for all edges');
+  if (everywhere[0] !== undefined) refinement.intervals = Number(everywhere[0]);
+  if (size !== undefined) {
+    if (everywhere.length > 0)
+      throw new UsageError('--size and --refine N both divide all edges', 'give one of them');
+    refinement.size = between('size', size, Infinity, 'a length over 0');
+  }
+  for (const value of grade) {
+    const [, side, growth] = /^(.+)=([^=]+)$/.exec(value) ?? [];
+    if (side === undefined || growth === undefined)
+      throw badValue('grade', value, 'a facet, by number or name, and a growth: FACET=1.2');
+    const wanted = 'a growth from one element to the next over 1 and up to 1000';
+    const factor = between('grade', growth, 1000.0000001, wanted);
+    if (factor <= 1) throw badValue('grade', growth, wanted);
+    refinement.gradings.push({ side, growth: factor });
+  }
+  if (refinement.gradings.length > 0 && !isRefined(refinement as unknown as Refinement))
+    throw new UsageError('--grade grades no element', 'divide edges as well: --refine N or --size H');
+  return refinement;
+}
+
+/** With the facets that sides stand for in a result. Throws `indexOutOfRange` or `badOption` for a side that is none. */
+export function resolve(given: GivenRefinement, { domain }: RunResult): Refinement {
+  const gradings = given.gradings.flatMap(({ side, growth }) => {
+    const named = (domain.facetNames ?? []).flatMap((name, facet) =>
+      name === side || name.split('+').includes(side) ? [facet] : [],
+    );
+    if (named.length > 0) return named.map((facet) => ({ facet, growth }));
+    const facet = /^\d+$/.test(side) ? (domain.facetOfGiven[Number(side)] ?? -1) : -1;
+    if (facet < 0) {
+      const known = [...new Set(domain.facetNames ?? [])].filter((name) => name !== '');
+      throw new DualblockError(
+        'badOption',
+        `The input has no facet ${JSON.stringify(side)}: give its number, 0 to ${domain.facetOfGiven.length - 1}${
+          known.length > 0 ? `, or a name, such as ${JSON.stringify(known[0])}` : ''
+        }.`,
+      );
+    }
+    return [{ facet, growth }];
+  });
+  return { ...given, gradings };
+}
