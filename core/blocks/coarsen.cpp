@@ -31,6 +31,27 @@ template <int N> double worstNear(const BlockMesh<N> &blocks, const std::vector<
   return worst;
 }
 
+/// Whether a block near an extracted surface has two faces side by side on one bent side: valid while they
+/// are plane, but flat along the edge between them once elements follow the side.
+template <int N>
+bool wrapsBentSide(const ReferenceMesh<N> &mesh, const BlockMesh<N> &blocks,
+                   const std::vector<bool> &isNear) {
+  const auto bentPatch = [&](Index tag) {
+    if (tag == kNone || !mesh.surfaces[at(FaceTag::surface(tag))].bent) return kNone;
+    return mesh.sideKey(tag) / 2;
+  };
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b) {
+    const auto &block = blocks.blocks[b];
+    if (std::none_of(block.begin(), block.end(), [&](Index v) { return isNear[at(v)]; })) continue;
+    for (std::size_t f = 0; f < 2 * N; ++f)
+      for (std::size_t g = f / 2 * 2 + 2; g < 2 * N; ++g) // across another axis
+        if (const Index patch = bentPatch(blocks.tags[b][f]);
+            patch != kNone && patch == bentPatch(blocks.tags[b][g]))
+          return true;
+  }
+  return false;
+}
+
 } // namespace
 
 template <int N>
@@ -44,7 +65,7 @@ std::vector<Index> coarsen(const ReferenceMesh<N> &mesh, const Parts<N> &feature
     for (const Index surface : surfacesBySize(blocks)) {
       checkDeadline();
       Extraction<N> trial = extract(mesh, freedom, blocks, surface);
-      if (!trial.why.empty()) continue;
+      if (!trial.why.empty() || wrapsBentSide(mesh, trial.blocks, trial.isNear)) continue;
       Freedom<N> after(mesh, features, featureNodes, trial.blocks);
       relax(after, trial.blocks, {}, trial.isNear);
       if (worstNear(trial.blocks, trial.isNear) < options.floor || !options.isValid(trial.blocks)) continue;

@@ -149,7 +149,6 @@ print(json.dumps({'points': len(m.points), 'sum': m.points.sum(), 'cells': cells
 describe.runIf(hasPythonModule('vtk', 'python3-vtk9'))('VTK', () => {
   const script = `
 import json, sys, vtk
-import { writeBlockMeshDict, meshWriter } from './support/writers.ts';
 reader = (vtk.vtkXMLUnstructuredGridReader if sys.argv[1].endswith('.vtu') else vtk.vtkUnstructuredGridReader)()
 reader.SetFileName(sys.argv[1])
 if not sys.argv[1].endswith('.vtu'): reader.ReadAllScalarsOn()
