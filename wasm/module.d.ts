@@ -13,7 +13,7 @@ declare module '*/build/dualblock.mjs' {
     relax: number;
     /** 0: the layered mesh, 1: as coarse as can be. */
     coarsest: number;
-    extract: number[];
+    extract: readonly number[];
   }
 
   export interface RawSession {

@@ -35,6 +35,8 @@ export interface RefinedMesh {
   /** Edges (2D) or faces of elements on the boundary, and the facet of each. */
   boundaryFaces: Int32Array;
   boundaryFacet: Int32Array;
+  /** The element that each of them belongs to. */
+  boundaryElement: Int32Array;
   /** The same inside the domain, each once. */
   interfaceFaces: Int32Array;
   interfaceFacet: Int32Array;
@@ -98,6 +100,7 @@ export class Refiner {
     mesh: RefineInput,
     refinement: Partial<Refinement>,
     progress: ((done: number) => void) | null = null,
+    limit = mostElements,
   ): RefinedMesh {
     const { intervals, size, ofSurface, gradings } = { ...noRefinement, ...refinement };
     for (const count of [intervals, ...ofSurface.map((of) => of.intervals)])
@@ -109,7 +112,7 @@ export class Refiner {
     const options = {
       intervals,
       size,
-      limit: mostElements,
+      limit,
       ofSurface: Int32Array.from(ofSurface.flatMap((of) => [of.surface, of.intervals])),
       gradedFacets: Int32Array.from(gradings, ({ facet }) => facet),
       growths: Float64Array.from(gradings, ({ growth }) => growth),

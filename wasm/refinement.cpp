@@ -17,6 +17,7 @@ template <int N> val refinedToJs(const RefinedMesh<N> &refined) {
   m.set("quality", toJs<double>(refined.quality));
   m.set("boundaryFaces", toJs<Index>(refined.boundary.faces));
   m.set("boundaryFacet", toJs<Index>(refined.boundary.facet));
+  m.set("boundaryElement", toJs<Index>(refined.boundaryElement));
   m.set("interfaceFaces", toJs<Index>(refined.interfaces.faces));
   m.set("interfaceFacet", toJs<Index>(refined.interfaces.facet));
   m.set("intervals", toJs<Index>(refined.intervals));

@@ -19,7 +19,7 @@ export interface Settings {
   /** The mesh that is handed out: a layer of blocks along every side, or as few blocks as can be. */
   mode: Mode;
   /** D̄-surfaces of the layered mesh to extract, in this order; before coarsening, in the mode for that. */
-  extract: number[];
+  extract: readonly number[];
   /** Move nodes to where blocks have a better shape. */
   relax: boolean;
   /** Seconds that a run may take; 0 for as long as it needs. */

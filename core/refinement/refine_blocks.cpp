@@ -58,8 +58,9 @@ public:
     result_.elements.reserve(elementCount_);
     result_.quality.reserve(elementCount_);
     forBlocks(0.5, 0.5, [&](Index b) {
+      const Index firstElement = toIndex(result_.elements.size());
       addElements(b);
-      addFaces(b);
+      addFaces(b, firstElement);
     });
     return std::move(result_);
   }
@@ -286,6 +287,13 @@ private:
     return element;
   }
 
+  /// The number of an element within its block, as addElements lists them.
+  Index elementInBlock(const std::array<Index, N> &c) const {
+    Index number = 0;
+    for (std::size_t a = N; a-- > 0;) number = number * n_[a] + c[a];
+    return number;
+  }
+
   bool isStraight(Index b) const {
     for (const Index e : skeleton_.edgesOf[at(b)])
       if (!isStraightEdge_[at(e)]) return false;
@@ -324,13 +332,14 @@ private:
   }
 
   /// The elements' faces on facets; of an interface's, which two blocks have, those of the first.
-  void addFaces(Index b) {
+  void addFaces(Index b, Index firstElement) {
     for (int f = 0; f < 2 * N; ++f) {
       const Index tag = blocks_.tags[at(b)][at(f)];
       if (tag == kNone) continue;
       Index &blocks = blocksAtFace_[at(sharedFace(b, f))];
       if (blocks == kNone) continue;
-      BoundaryFaces<N> &to = blocks == 1 ? result_.boundary : result_.interfaces;
+      const bool isOuter = blocks == 1;
+      BoundaryFaces<N> &to = isOuter ? result_.boundary : result_.interfaces;
       blocks = kNone;
       const std::size_t across = at(f / 2);
       const Index layer = f % 2 ? n_[across] - 1 : 0;
@@ -341,6 +350,7 @@ private:
         for (std::size_t k = 0; k < face.size(); ++k)
           face[k] = element[at(faceCorner<N>(f, static_cast<int>(k)))];
         to.facet.push_back(FaceTag::surface(tag));
+        if (isOuter) result_.boundaryElement.push_back(firstElement + elementInBlock(c));
       });
     }
   }

@@ -16,6 +16,7 @@ template <int N> struct RefinedMesh {
   std::vector<Index> block;                        // per element
   std::vector<double> quality;                     // per element: scaled Jacobian
   BoundaryFaces<N> boundary;
+  std::vector<Index> boundaryElement; // per face of the boundary: whose it is
   BoundaryFaces<N> interfaces;  // faces on facets inside the domain, as one of the two blocks sees them
   std::vector<Index> intervals; // per D-bar-surface; 0 for one that is not in the mesh
   Lists<double> places; // per D-bar-surface, as in Spacing

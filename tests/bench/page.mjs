@@ -78,7 +78,7 @@ try {
   row('cancel', `${run.cancel.toFixed(1)} ms`, '200 ms');
 
   await page.evaluate(() => void dualblock.openExample('protrusion', { step: 9, refine: 12 }));
-  await page.waitForFunction(() => dualblock.stage.scene?.refinement?.intervals === 12);
+  await page.waitForFunction(() => dualblock.stage.scene?.refinement?.refinement.intervals === 12);
   for (const [width, height] of [
     [1280, 800],
     [640, 400],

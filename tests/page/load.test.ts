@@ -8,7 +8,7 @@ it('draws the exposed faces of 138,240 cells only, each line once, and filters t
   const opened = await host.open();
   const { page } = opened;
   await page.evaluate(() => void dualblock.openExample('protrusion', { step: 9, refine: 12 }));
-  await page.waitForFunction(() => dualblock.stage.scene?.refinement?.intervals === 12);
+  await page.waitForFunction(() => dualblock.stage.scene?.refinement?.refinement.intervals === 12);
   await settle(page);
   const drawn = (): Promise<{ cells: number; triangles: number; lines: number; boundary: number }> =>
     page.evaluate(() => {

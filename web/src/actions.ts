@@ -84,9 +84,10 @@ export function isolateSelection(app: App): void {
 
 /** Everything as a step shows it by itself; the model, the step and the general looks stay. */
 function resetView(app: App): void {
-  const { model, reference, timeLimit, step, projection, occlusion, theme, refine } = app.view.state;
-  const kept = { model, reference, timeLimit, step, projection, occlusion, theme, refine };
-  app.view.set({ ...defaultState, ...kept });
+  const { model, reference, timeLimit, step, projection, occlusion, theme } = app.view.state;
+  const { refine, intervals, gradings } = app.view.state;
+  const kept = { model, reference, timeLimit, step, projection, occlusion, theme };
+  app.view.set({ ...defaultState, ...kept, refine, intervals, gradings });
   app.say('View reset.');
 }
 

@@ -28,8 +28,8 @@ const longestLink = 16_000;
 type RunSettings = Pick<ViewState, 'reference' | 'timeLimit'>;
 
 /** Tells models apart by what they are made of. */
-const madeOf = (model: ModelRef, { edgeLength, seed, featureAngle, mode }: Reference): string =>
-  `${modelKey(model)} ${edgeLength} ${seed} ${featureAngle} ${mode}`;
+const madeOf = (model: ModelRef, { edgeLength, seed, featureAngle, mode, extract }: Reference): string =>
+  `${modelKey(model)} ${edgeLength} ${seed} ${featureAngle} ${mode} ${extract}`;
 
 export class App {
   readonly view = new Store<ViewState>(defaultState);

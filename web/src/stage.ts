@@ -1,8 +1,10 @@
 // What stands between the stores and the viewer: the shown model's scene, its refinement, marks of problems, the
 // slice's handle, playing.
+import { DualblockError } from '../../wasm/io/errors.ts';
+import { refineInput } from '../../wasm/refine.ts';
 import type { App } from './app.ts';
 import { dimensionOf, type Marks, marksInDomain, marksInModel, outlineOf } from './model/culprits.ts';
-import { finalMesh, layeredBlocks } from './model/final-mesh.ts';
+import { layeredBlocks, refinementOf } from './model/final-mesh.ts';
 import type { Model } from './model/model.ts';
 import type { Insets } from './scene/camera.ts';
 import { markLayers } from './scene/marks.ts';
@@ -20,7 +22,9 @@ export class Stage {
   private marks: ReturnType<typeof markLayers> | null = null;
   private problem: Problem | null = null;
   private handle: SliceHandle | null = null;
-  private refining: { scene: ModelScene; intervals: number } | null = null;
+  private refining: { scene: ModelScene; refinement: string } | null = null;
+  /** A refinement is under way: what is asked for meanwhile comes after it, and only the last of it. */
+  private isRefining = false;
   private timer = 0;
 
   constructor(canvas: HTMLCanvasElement, app: App) {
@@ -58,8 +62,10 @@ export class Stage {
 
   update(now: ViewState, before: ViewState): void {
     this.show();
-    if (now.step !== before.step || now.compare !== before.compare || now.refine !== before.refine)
-      this.refine();
+    const isAsked = (['step', 'compare', 'refine', 'intervals', 'gradings'] as const).some(
+      (key) => now[key] !== before[key],
+    );
+    if (isAsked) this.refine();
     if (now.slice !== before.slice) void this.placeHandle();
   }
 
@@ -153,25 +159,33 @@ export class Stage {
     const { scene } = this;
     if (!scene || (state.step !== 9 && state.compare !== 9)) return;
     const { result } = scene.model;
-    const { positions, blocks } = finalMesh(result);
-    if (blocks.length === 0) return;
+    if ((result.mesh ?? result.primal).blocks.length === 0) return;
+    const refinement = refinementOf(state, result);
     const asked = this.refining;
-    if (asked?.scene === scene && asked.intervals === state.refine) return;
-    if (this.app.ui.state.busy) return;
-    const mine = { scene, intervals: state.refine };
+    const mine = { scene, refinement: JSON.stringify(refinement) };
+    if (asked?.scene === scene && asked.refinement === mine.refinement) return;
+    if (this.app.ui.state.busy || this.isRefining) return;
     this.refining = mine;
+    this.isRefining = true;
     this.app.core
-      .refine(result.dimension, positions, blocks, state.refine)
+      .refine(refineInput(result), refinement)
       .then((refined) => {
         if (this.refining !== mine) return;
         const layered = layeredBlocks(result);
         const block = refined.block.map((b) => layered[b]!);
-        scene.setRefined({ intervals: mine.intervals, ...refined, block });
+        scene.setRefined({ ...refined, refinement, block });
         this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
         this.show();
       })
-      .catch(() => {
-        if (this.refining === mine) this.refining = null; // cancelled: asked for again when it is seen again
+      .catch((error: unknown) => {
+        if (this.refining !== mine) return;
+        // What cannot be is not asked for again; what was cancelled is, when it is seen again.
+        if (error instanceof DualblockError) this.app.say(error.message);
+        else this.refining = null;
+      })
+      .finally(() => {
+        this.isRefining = false;
+        if (this.refining) this.refine();
       });
   }
 

@@ -3,6 +3,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { Dualblock, type Settings } from '../../../wasm/dualblock.ts';
 import { DualblockError } from '../../../wasm/io/errors.ts';
+import { Refiner } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
 import { bytesOf, type Input } from './surface-files.ts';
 
@@ -11,6 +12,9 @@ const wasmBinary = readFileSync(new URL('wasm/build/dualblock.wasm', root));
 
 /** A core of its own: its memory is nobody else's. */
 export const startCore = (): Promise<Dualblock> => Dualblock.create({ wasmBinary });
+
+export const startRefiner = (): Promise<Refiner> =>
+  Refiner.create({ wasmBinary: readFileSync(new URL('wasm/build/refinement.wasm', root)) });
 
 /** A file of the repository. */
 export const repositoryFile = (path: string): Buffer => readFileSync(new URL(path, root));

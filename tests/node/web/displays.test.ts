@@ -1,18 +1,20 @@
 // What the page draws, against what does not share its code: volumes, closed surfaces, counts, the core's certificate.
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../../wasm/dualblock.ts';
+import { type Refiner, refineInput } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
-import { displayBlocks } from '../../../web/src/display/blocks.ts';
+import { displayRefined } from '../../../web/src/display/blocks.ts';
 import type { CellSet } from '../../../web/src/display/cell-set.ts';
 import { type Display, displayOf } from '../../../web/src/display/display.ts';
-import { refineBlocks } from '../../../web/src/display/refine.ts';
 import { levelOf, Templates } from '../../../web/src/display/regions.ts';
-import { curved, examples, runExample, startCore } from '../support/core.ts';
+import { curved, examples, runExample, startCore, startRefiner } from '../support/core.ts';
 
 let core: Dualblock;
+let refiner: Refiner;
 const runs = new Map<string, { result: RunResult; display: Display }>();
 beforeAll(async () => {
   core = await startCore();
+  refiner = await startRefiner();
   for (const { name } of examples) {
     const result = runExample(core, name);
     runs.set(name, { result, display: displayOf(result) });
@@ -153,9 +155,9 @@ describe.each(meshed.map((e) => [e.name, e.dimension] as const))('%s', (name, di
 
   it('refines to n^N cells per block that share nodes and stay valid', () => {
     const { result } = get(name);
-    const { positions, blocks, quality } = result.primal;
+    const { positions, quality } = result.primal;
     const n = 3;
-    const refined = refineBlocks(dimension, positions, blocks, n);
+    const refined = refiner.refine(refineInput(result), { intervals: n });
     expect(refined.block.length).toBe(quality.length * n ** dimension);
     expect(Math.min(...refined.quality)).toBeGreaterThan(0);
     // Nodes by counting: corners, and what n adds on edges, faces and in blocks.
@@ -164,7 +166,7 @@ describe.each(meshed.map((e) => [e.name, e.dimension] as const))('%s', (name, di
     const faces = result.primal.faces.length / 4;
     const inner = dimension === 3 ? (n - 1) ** 3 * quality.length : 0;
     expect(refined.positions.length / dimension).toBe(nodes + (n - 1) * edges + (n - 1) ** 2 * faces + inner);
-    const cells = displayBlocks(dimension, refined.positions, refined.cells);
+    const cells = displayRefined(dimension, refined).cells;
     if (dimension === 3)
       expect(cells.faceOther.filter((o) => o < 0).length).toBe(result.primal.boundaryFacet.length * n * n);
   });

@@ -1,7 +1,9 @@
 // Filters, caps, colours and provenance, without a picture.
+
 import { interpolateRdYlBu } from 'd3-scale-chromatic';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../../wasm/dualblock.ts';
+import { noRefinement } from '../../../wasm/refine.ts';
 import { packResult, unpackResult } from '../../../web/src/core/pack.ts';
 import { displayOf } from '../../../web/src/display/display.ts';
 import { checkTexts, describeEntity, explain } from '../../../web/src/model/explain.ts';
@@ -231,7 +233,7 @@ describe('explanations', () => {
   it.each(examples.map((e) => e.name))('of %s have two sentences, numbers and a certificate', (name) => {
     const m = model(name);
     for (const { id } of steps.filter((s) => !m.result.onlyMatching || s.id <= 4)) {
-      const { text, section, counts, invariant } = explain(m, id, 3);
+      const { text, section, counts, invariant } = explain(m, id, { ...noRefinement, intervals: 3 });
       expect(text.split(/\. (?=[A-Z])/)).toHaveLength(2);
       expect(section).not.toBe('');
       for (const line of [text, invariant, ...counts.flat()]) expect(line).not.toMatch(/undefined|NaN|null/);
@@ -243,9 +245,9 @@ describe('explanations', () => {
   });
 
   it('state the Euler characteristic that the counts give', () => {
-    expect(explain(model('square_ring'), 8, 3).invariant).toContain('= 0');
-    expect(explain(model('tapered_brick'), 8, 3).invariant).toContain('= 1');
-    expect(explain(model('two_holes_2d'), 8, 3).invariant).toContain('= −1');
+    expect(explain(model('square_ring'), 8, null).invariant).toContain('= 0');
+    expect(explain(model('tapered_brick'), 8, null).invariant).toContain('= 1');
+    expect(explain(model('two_holes_2d'), 8, null).invariant).toContain('= −1');
   });
 });
 

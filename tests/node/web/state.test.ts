@@ -17,7 +17,7 @@ import {
 const rich: ViewState = {
   ...defaultState,
   model: { source: 'file', name: 'a part – ü.off', hash: '00ff' },
-  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5, mode: 'coarsest' },
+  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5, mode: 'coarsest', extract: [4, 0] },
   timeLimit: 90,
   step: 6,
   compare: 3,
@@ -41,6 +41,8 @@ const rich: ViewState = {
   theme: 'dark',
   surfaces: 'soft',
   refine: 5,
+  intervals: { 3: 8 },
+  gradings: { 12: 1.25 },
 };
 
 describe('the store', () => {
@@ -129,7 +131,7 @@ describe('validation', () => {
     const state = validState({
       ...rich,
       model: { source: 'example', name: '../../secret' },
-      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270, mode: 'fine' },
+      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270, mode: 'fine', extract: [1, 'x', -2] },
       timeLimit: -3,
       camera: { ...rich.camera, position: [1e300, 0, 0] },
       slice: { ...rich.slice, normal: [0, 0, 0] },
@@ -144,12 +146,14 @@ describe('validation', () => {
       shrink: 0,
       explode: 1e9,
       refine: 4000,
+      intervals: { 1: 0, x: 3, 2: 2.4 },
+      gradings: { 0: 99, '-1': 2 },
       theme: 'pink',
       layers: { 6: { cells: { opacity: -3, visible: 'yes' } }, 44: {} },
     });
     expect(state).toMatchObject({
       model: defaultState.model,
-      reference: { edgeLength: 0, seed: 3, featureAngle: 180, mode: 'layered' },
+      reference: { edgeLength: 0, seed: 3, featureAngle: 180, mode: 'layered', extract: [1, 0] },
       timeLimit: 0,
       camera: null,
       slice: null,
@@ -158,7 +162,9 @@ describe('validation', () => {
       hidden: [{ kind: 'block', id: 1 }],
       shrink: 0.2,
       explode: 2,
-      refine: 16,
+      refine: 100,
+      intervals: { 1: 1, 2: 2 },
+      gradings: { 0: 3 },
       theme: 'auto',
       layers: { 6: { cells: { opacity: 0.05 } } },
     });
@@ -168,12 +174,15 @@ describe('validation', () => {
     [
       'no angle and no limit, as in older links',
       { reference: { edgeLength: 1, seed: 2 } },
-      { reference: { edgeLength: 1, seed: 2, featureAngle: 'auto', mode: 'layered' }, timeLimit: 0 },
+      {
+        reference: { edgeLength: 1, seed: 2, featureAngle: 'auto', mode: 'layered', extract: [] },
+        timeLimit: 0,
+      },
     ],
     [
       'an angle of 0, which is not auto',
       { reference: { featureAngle: 0 } },
-      { reference: { edgeLength: 0, seed: 0, featureAngle: 0, mode: 'layered' } },
+      { reference: { edgeLength: 0, seed: 0, featureAngle: 0, mode: 'layered', extract: [] } },
     ],
     [
       'an angle and a limit in words',

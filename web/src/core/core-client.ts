@@ -1,8 +1,9 @@
 // The core's worker as promises. One run at a time; cancelling ends the worker and starts another.
 import type { Progress, Settings } from '../../../wasm/dualblock.ts';
 import { DualblockError } from '../../../wasm/io/errors.ts';
+import type { RefinedMesh, RefineInput, Refinement } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
-import type { CellSet } from '../display/cell-set.ts';
+import type { RefinedCells } from '../display/blocks.ts';
 import type { Display } from '../display/display.ts';
 import type { Reply, Request } from './protocol.ts';
 
@@ -11,12 +12,6 @@ export interface RunAnswer {
   display: Display;
   /** Peak of the core's memory in bytes; 0 where it was not asked. */
   memory: number;
-}
-
-export interface RefineAnswer {
-  cells: CellSet;
-  block: Int32Array;
-  quality: Float64Array;
 }
 
 interface Pending {
@@ -54,14 +49,15 @@ export class CoreClient {
     return this.ask({ kind: 'unpack', bytes }, 'result');
   }
 
-  /** Cuts blocks into `intervals` parts along each edge. Rejects like `run`. */
-  async refine(
-    dimension: 2 | 3,
-    positions: Float64Array,
-    blocks: Int32Array,
-    intervals: number,
-  ): Promise<RefineAnswer> {
-    return this.ask({ kind: 'refine', dimension, positions, blocks, intervals }, 'refined');
+  /** Divides blocks, for drawing. Rejects like `run`. */
+  async refine(mesh: RefineInput, refinement: Refinement): Promise<RefinedCells> {
+    return this.ask({ kind: 'refine', mesh, refinement, whole: false }, 'refined');
+  }
+
+  /** Divides blocks, for a file. Rejects like `run`. */
+  async elements(mesh: RefineInput, refinement: Refinement): Promise<RefinedMesh> {
+    const answer = await this.ask({ kind: 'refine', mesh, refinement, whole: true }, 'elements');
+    return answer.mesh;
   }
 
   /** Whether something is under way. */

@@ -1,15 +1,19 @@
 // The module worker that owns the core, and packs what the page draws.
 import { Dualblock } from '../../../wasm/dualblock.ts';
 import { DualblockError } from '../../../wasm/io/errors.ts';
+import { mostElements, type RefinedMesh, Refiner } from '../../../wasm/refine.ts';
 import type { CoreError, RunResult } from '../../../wasm/result.ts';
-import { displayBlocks } from '../display/blocks.ts';
+import { displayRefined } from '../display/blocks.ts';
 import { buffersOf, displayOf } from '../display/display.ts';
-import { refineBlocks } from '../display/refine.ts';
 import { unpackResult } from './pack.ts';
 import type { Reply, Request } from './protocol.ts';
 
 const starting = Dualblock.create();
 starting.catch(() => {}); // every request reports it
+
+let refiner: Promise<Refiner> | null = null;
+/** Elements of a refined mesh that is drawn. */
+const mostDrawn = 2_000_000;
 
 const reply = (message: Reply, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
@@ -33,12 +37,24 @@ async function answer(request: Request): Promise<void> {
   } else if (request.kind === 'unpack') {
     send(id, await unpackResult(request.bytes), 0);
   } else {
-    const { dimension, positions, blocks, intervals } = request;
-    const refined = refineBlocks(dimension, positions, blocks, intervals);
-    const cells = displayBlocks(dimension, refined.positions, refined.cells);
-    const message: Reply = { kind: 'refined', id, cells, block: refined.block, quality: refined.quality };
+    const mesh = await refine(request);
+    const message: Reply = request.whole
+      ? { kind: 'elements', id, mesh }
+      : { kind: 'refined', id, ...displayRefined(request.mesh.dimension, mesh) };
     reply(message, buffersOf(message));
   }
+}
+
+/** WebAssembly's memory never shrinks: after a large mesh the module goes, and another one comes when it is needed. */
+async function refine({
+  mesh,
+  refinement,
+  whole,
+}: Extract<Request, { kind: 'refine' }>): Promise<RefinedMesh> {
+  refiner ??= Refiner.create();
+  const made = (await refiner).refine(mesh, refinement, null, whole ? mostElements : mostDrawn);
+  if (made.quality.length > 200_000) refiner = null;
+  return made;
 }
 
 /** Arrays move to the page instead of being copied. */

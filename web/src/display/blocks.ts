@@ -1,4 +1,5 @@
-// Steps 2, 8 and 9: cells of one shape each: simplices, blocks, and the blocks' uniform refinement.
+// Steps 2, 8 and 9: cells of one shape each: simplices, blocks, and the elements that blocks are divided into.
+import type { RefinedMesh } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
 import {
   type CellSet,
@@ -49,4 +50,46 @@ export function displayBlocks(dimension: 2 | 3, positions: Float64Array, blocks:
   const shape = dimension === 2 ? shapes.quad : shapes.hexahedron;
   const neighbors = findNeighbors(sidesOf(shape), shape.vertices, blocks);
   return uniformCells(shape, dimension, positions, blocks, neighbors);
+}
+
+export interface RefinedCells {
+  cells: CellSet;
+  /** Per cell: its element; null where every element is a cell. */
+  element: Int32Array | null;
+  /** Per cell: its block. */
+  block: Int32Array;
+  /** Per cell: minimum scaled Jacobian. */
+  quality: Float64Array;
+  /** The same of all elements, for the histogram. */
+  allQuality: Float64Array;
+}
+
+/** Beyond so many elements only those at the boundary are drawn: the others would be in memory for nothing. */
+const mostWithInside = 250_000;
+
+/** What is drawn of a refined mesh. */
+export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCells {
+  const { positions, elements, block, quality } = mesh;
+  if (dimension === 2 || quality.length <= mostWithInside) {
+    const cells = displayBlocks(dimension, positions, elements);
+    return { cells, element: null, block, quality, allQuality: quality };
+  }
+  const outer = new Uint8Array(quality.length);
+  for (const e of mesh.boundaryElement) outer[e] = 1;
+  const element = Int32Array.from(
+    (function* () {
+      for (let e = 0; e < outer.length; e++) if (outer[e]) yield e;
+    })(),
+  );
+  const nodes = new Int32Array(8 * element.length);
+  element.forEach((e, k) => {
+    nodes.set(elements.subarray(8 * e, 8 * e + 8), 8 * k);
+  });
+  return {
+    cells: displayBlocks(3, positions, nodes),
+    element,
+    block: element.map((e) => block[e]!),
+    quality: Float64Array.from(element, (e) => quality[e]!),
+    allQuality: quality,
+  };
 }

@@ -1,9 +1,11 @@
 // What each step is, in two sentences, where the paper has it, and its numbers for the shown model.
 
+import type { Refinement } from '../../../wasm/refine.ts';
 import { featureKinds, tallyFeatures } from '../../../wasm/report.ts';
 import type { Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
+import { elementCount, type SurfaceLayer, surfaceLayers } from './final-mesh.ts';
 import { kindName, type Model } from './model.ts';
 import { facetOfSide, relate, sidesOfContribution } from './provenance.ts';
 
@@ -19,7 +21,7 @@ export interface Explanation {
 const plural = (n: number, one: string, many = `${one}s`): string =>
   `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
 
-export function explain({ result, display }: Model, step: Step, refined: number): Explanation {
+export function explain({ result, display }: Model, step: Step, refinement: Refinement | null): Explanation {
   const { dimension, reference, parts, contributions, primal, domain, features } = result;
   const flat = dimension === 2;
   const simplexName = flat ? 'triangle' : 'tetrahedron';
@@ -155,7 +157,7 @@ export function explain({ result, display }: Model, step: Step, refined: number)
         ? 'D̄-surfaces have been extracted, each with the layer of blocks that it crosses, while every feature was kept. '
         : '';
       return {
-        text: `${lead}Every block is cut evenly along its edges by its own ${flat ? 'bilinear' : 'trilinear'} map. Each small cell has the map of its block, restricted to a piece, as its own: it is valid where the block is.`,
+        text: `${lead}Every block is divided along its edges, and filled by transfinite interpolation. All edges that one ${surfaceName} crosses get the same number of intervals, so that neighbours fit; on bent sides nodes lie on the domain’s own facets.`,
         section: 'Beyond the paper; section 5 leaves it to a mesher of blocks',
         counts: [
           ...(mesh
@@ -164,13 +166,21 @@ export function explain({ result, display }: Model, step: Step, refined: number)
                 ['D̄-surfaces extracted', number(mesh.extracted.length)],
               ] as [string, string][])
             : []),
-          ['Cells', number(refined ** dimension * blockCount)],
-          ['Intervals per edge', number(refined)],
+          ['Elements', refinement ? number(elementCount(result, refinement)) : '–'],
+          ['Intervals per edge', refinement ? intervalRange(refinement, surfaceLayers(result)) : '–'],
         ],
         invariant: 'Conformal: neighbours share the nodes of their common faces.',
       };
     }
   }
+}
+
+/** The fewest and the most intervals of an edge. */
+function intervalRange({ intervals, ofSurface }: Refinement, layers: readonly SurfaceLayer[]): string {
+  const own = new Map(ofSurface.map(({ surface, intervals: n }) => [surface, n]));
+  const counts = layers.map(({ surface }) => own.get(surface) ?? intervals);
+  const [low, high] = [Math.min(...counts), Math.max(...counts)];
+  return low === high ? String(low) : `${low} to ${high}`;
 }
 
 function contributionCounts(

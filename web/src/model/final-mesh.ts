@@ -1,10 +1,58 @@
 // The mesh that is handed out, which step 9 refines: the layered one, or what is left of it.
 import { layeredSurfaces } from '../../../wasm/io/layered.ts';
+import type { Refinement } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
+import type { ViewState } from '../state/view-state.ts';
 
-/** Its nodes and blocks. */
-export function finalMesh({ mesh, primal }: RunResult): { positions: Float64Array; blocks: Int32Array } {
-  return mesh ?? primal;
+/** The D̄-surfaces that cross each of its blocks, `dimension` per block. */
+const surfacesOf = (result: RunResult): Int32Array => result.mesh?.blockSurfaces ?? layeredSurfaces(result);
+
+export interface SurfaceLayer {
+  surface: number;
+  /** Blocks that it crosses: its layer. */
+  blocks: number;
+}
+
+/** The D̄-surfaces of the mesh that is handed out, those of most blocks first. */
+export function surfaceLayers(result: RunResult): SurfaceLayer[] {
+  const blocks = new Map<number, number>();
+  for (const surface of surfacesOf(result)) blocks.set(surface, (blocks.get(surface) ?? 0) + 1);
+  return [...blocks]
+    .map(([surface, count]) => ({ surface, blocks: count }))
+    .sort((a, b) => b.blocks - a.blocks || a.surface - b.surface);
+}
+
+/** What a view asks of a mesh's refinement; D̄-surfaces that are not in the mesh are left out. */
+export function refinementOf(
+  { refine, intervals, gradings }: Pick<ViewState, 'refine' | 'intervals' | 'gradings'>,
+  result: RunResult,
+): Refinement {
+  const present = new Set(surfacesOf(result));
+  const facets = result.domain.facetOffsets.length - 1;
+  return {
+    intervals: refine,
+    size: 0,
+    ofSurface: Object.entries(intervals)
+      .map(([surface, n]) => ({ surface: Number(surface), intervals: n }))
+      .filter(({ surface }) => present.has(surface)),
+    gradings: Object.entries(gradings)
+      .map(([facet, growth]) => ({ facet: Number(facet), growth }))
+      .filter(({ facet }) => facet < facets),
+  };
+}
+
+/** How many elements that makes. */
+export function elementCount(result: RunResult, { intervals, ofSurface }: Refinement): number {
+  const { dimension } = result;
+  const own = new Map(ofSurface.map(({ surface, intervals: n }) => [surface, n]));
+  const surfaces = surfacesOf(result);
+  let total = 0;
+  for (let b = 0; b < surfaces.length; b += dimension) {
+    let count = 1;
+    for (let axis = 0; axis < dimension; axis++) count *= own.get(surfaces[b + axis]!) ?? intervals;
+    total += count;
+  }
+  return total;
 }
 
 /**

@@ -1,14 +1,13 @@
 // A run as the page holds it: the core's result, what is drawn of it, and where it came from.
+import type { Refinement } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
-import type { CellSet } from '../display/cell-set.ts';
+import type { RefinedCells } from '../display/blocks.ts';
 import type { Display } from '../display/display.ts';
 import type { Entity, EntityKind, ModelRef, Reference } from '../state/view-state.ts';
 
-export interface RefinedDisplay {
-  intervals: number;
-  cells: CellSet;
-  block: Int32Array;
-  quality: Float64Array;
+export interface RefinedDisplay extends RefinedCells {
+  /** What was asked for. */
+  refinement: Refinement;
 }
 
 export interface Model {

@@ -25,7 +25,7 @@ export function Histogram() {
   const svg = useRef<SVGSVGElement>(null);
   const from = useRef<number | null>(null);
   const refined = app.stage.scene?.refinement;
-  const values = step === 9 && refined ? refined.quality : app.model?.result.primal.quality;
+  const values = step === 9 && refined ? refined.allQuality : app.model?.result.primal.quality;
   if (!values || values.length === 0) return <p class="hint">No blocks here.</p>;
   const low = values.some((v) => v < 0) ? -1 : 0;
   const counts = histogramOf(values, low);

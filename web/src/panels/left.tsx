@@ -1,14 +1,16 @@
-// Left panel: model, layers, filters, look.
+// Left panel: model, mesh, layers, filters, look.
 import type { JSX } from 'preact';
 import type { LeftTab } from '../state/ui-state.ts';
 import { FiltersPanel } from './filters.tsx';
 import { useApp, useUi } from './hooks.ts';
 import { LayersPanel } from './layers.tsx';
 import { LookPanel } from './look.tsx';
+import { MeshPanel } from './mesh.tsx';
 import { ModelPanel } from './model.tsx';
 
 export const leftTabs: [LeftTab, string, () => JSX.Element][] = [
   ['model', 'Model', ModelPanel],
+  ['mesh', 'Mesh', MeshPanel],
   ['layers', 'Layers', LayersPanel],
   ['filters', 'Filters', FiltersPanel],
   ['look', 'Look', LookPanel],

@@ -1,4 +1,4 @@
-// How it looks: shrink, explode, occlusion, theme, projection, refinement.
+// How it looks: shrink, explode, occlusion, theme, projection.
 import { explodeOf, shrinkOf } from '../state/view-state.ts';
 import { Check, Choice, Slider } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
@@ -37,16 +37,6 @@ export function LookPanel() {
       >
         As the step has them
       </button>
-      <Slider
-        label="Refine"
-        min={1}
-        max={12}
-        step={1}
-        value={state.refine}
-        text={`${state.refine} per edge`}
-        onInput={(refine) => app.view.set({ refine }, { merge: 'refine' })}
-      />
-      <p class="hint">Intervals along each edge of a block, for step 9.</p>
       <Check
         label="Ambient occlusion"
         checked={state.occlusion}

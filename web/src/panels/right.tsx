@@ -2,6 +2,7 @@
 import { hideSelection, isolateSelection } from '../actions.ts';
 import { entityOf } from '../model/culprits.ts';
 import { checkTexts, describeEntity, explain } from '../model/explain.ts';
+import { refinementOf } from '../model/final-mesh.ts';
 import { entityCount, entityName, kindName, type Model } from '../model/model.ts';
 import type { EntityKind, Step } from '../state/view-state.ts';
 import { Histogram } from './histogram.tsx';
@@ -22,11 +23,15 @@ export function RightPanel() {
 export function ExplainPanel() {
   const app = useApp();
   const step = useView((s) => s.step);
-  const refine = useView((s) => s.refine);
+  const state = useView((s) => (s.step === 9 ? s : null));
   useUi((s) => s.model);
   const { model } = app;
   if (!model) return <p class="hint">Nothing is loaded yet.</p>;
-  const { text, section, counts, invariant } = explain(model, step, refine);
+  const { text, section, counts, invariant } = explain(
+    model,
+    step,
+    state ? refinementOf(state, model.result) : null,
+  );
   const first = text.indexOf('. ') + 1;
   return (
     <section aria-labelledby="explain-title">
@@ -187,7 +192,7 @@ const listed: Record<Step, EntityKind[]> = {
   6: ['cell'],
   7: ['node', 'edge'],
   8: ['block', 'edge'],
-  9: ['element'],
+  9: ['surface', 'element'],
 };
 const longestList = 3000;
 

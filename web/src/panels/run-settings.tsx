@@ -1,7 +1,5 @@
 // What a run is asked for: the reference mesh, which facets are one side, how long it may take.
-import type { Mode } from '../../../wasm/settings.ts';
 import type { App } from '../app.ts';
-import { Choice } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 import { NumberForm } from './number-form.tsx';
 
@@ -13,42 +11,10 @@ export function RunSettings() {
   const result = model?.result;
   return (
     <>
-      {result && !result.onlyMatching && <Blocks />}
       {result && !result.onlyMatching && <ReferenceMesh box={model.display.box} />}
       {result && !result.onlyMatching && result.dimension === 3 && <FeatureAngle />}
       <TimeLimit />
     </>
-  );
-}
-
-/** Which mesh is handed out: steps 1 to 8 show the layered one all the same. */
-function Blocks() {
-  const app = useApp();
-  const { mode } = useView((s) => s.reference);
-  const mesh = app.model?.result.mesh;
-  return (
-    <section aria-label="Blocks">
-      <h3>Blocks</h3>
-      <Choice<Mode>
-        label="Mesh"
-        value={mode}
-        choices={[
-          ['layered', 'Layered'],
-          ['coarsest', 'Coarsest'],
-        ]}
-        onChoose={(chosen) => void app.setReference({ mode: chosen })}
-      />
-      <p class="hint">
-        {mesh
-          ? `${mesh.extracted.length} D̄-surfaces extracted, ${mesh.quality.length} block(s) left: step 9 shows them, and files hold them.`
-          : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
-      </p>
-      {mesh && (
-        <button type="button" onClick={() => app.view.set({ step: 9 })}>
-          Show the blocks
-        </button>
-      )}
-    </section>
   );
 }
 

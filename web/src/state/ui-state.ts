@@ -16,7 +16,7 @@ export interface Problem {
 }
 
 export type Dialog = 'help' | 'share' | 'export' | 'paper' | 'commands';
-export type LeftTab = 'model' | 'layers' | 'filters' | 'look';
+export type LeftTab = 'model' | 'mesh' | 'layers' | 'filters' | 'look';
 export type SheetTab = LeftTab | 'explain' | 'selection';
 
 export interface UiState {

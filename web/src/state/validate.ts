@@ -9,6 +9,8 @@ import {
   type LayerSetting,
   layerIds,
   type ModelRef,
+  mostGrowth,
+  mostIntervals,
   type Slice,
   type Step,
   steps,
@@ -115,6 +117,17 @@ const count = (x: unknown): number | null => {
   return n === null ? null : Math.round(n);
 };
 
+/** Numbers by whole numbers, such as intervals by D̄-surface. */
+function byNumber(x: unknown, low: number, high: number, isWhole: boolean): Record<string, number> {
+  const entries = Object.entries(record(x)).slice(0, 2000);
+  return Object.fromEntries(
+    entries.flatMap(([key, value]) => {
+      const n = /^\d{1,7}$/.test(key) ? nullable(value, low, high) : null;
+      return n === null ? [] : [[key, isWhole ? Math.round(n) : n]];
+    }),
+  );
+}
+
 /** The view state that a parsed JSON value stands for. Never throws. */
 export function validState(given: unknown): ViewState {
   const s = record(given);
@@ -128,6 +141,9 @@ export function validState(given: unknown): ViewState {
       seed: Math.round(number(reference['seed'], 0, 2 ** 32 - 1, 0)),
       featureAngle: nullable(reference['featureAngle'], 0, 180) ?? 'auto',
       mode: oneOf(reference['mode'], modes, 'layered'),
+      extract: Array.isArray(reference['extract'])
+        ? reference['extract'].slice(0, 2000).flatMap((x) => count(x) ?? [])
+        : [],
     },
     timeLimit: number(s['timeLimit'], 0, huge, 0),
     step: oneOf(s['step'], stepIds, d.step),
@@ -148,6 +164,8 @@ export function validState(given: unknown): ViewState {
     occlusion: s['occlusion'] === true,
     theme: oneOf(s['theme'], ['auto', 'light', 'dark'] as const, d.theme),
     surfaces: oneOf(s['surfaces'], ['both', 'hard', 'soft'] as const, d.surfaces),
-    refine: Math.round(number(s['refine'], 1, 16, d.refine)),
+    refine: Math.round(number(s['refine'], 1, mostIntervals, d.refine)),
+    intervals: byNumber(s['intervals'], 1, mostIntervals, true),
+    gradings: byNumber(s['gradings'], 1, mostGrowth, false),
   };
 }

@@ -87,6 +87,8 @@ export interface Reference {
   featureAngle: number | 'auto';
   /** Which mesh is made of the layered one. */
   mode: Mode;
+  /** D̄-surfaces that are extracted from it first, in this order. */
+  extract: readonly number[];
 }
 
 export interface ViewState {
@@ -119,13 +121,21 @@ export interface ViewState {
   surfaces: 'both' | 'hard' | 'soft';
   /** Intervals per edge of a block in the refined mesh. */
   refine: number;
+  /** Intervals of the edges that single D̄-surfaces cross, instead. */
+  intervals: Readonly<Record<string, number>>;
+  /** By facet: the factor that elements grow by away from its side. */
+  gradings: Readonly<Record<string, number>>;
 }
+
+/** What the page lets be asked for. */
+export const mostIntervals = 100;
+export const mostGrowth = 3;
 
 export const firstExample = 'square_ring';
 
 export const defaultState: ViewState = {
   model: { source: 'example', name: firstExample },
-  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered' },
+  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered', extract: [] },
   timeLimit: 0,
   step: 8,
   compare: null,
@@ -146,6 +156,8 @@ export const defaultState: ViewState = {
   theme: 'auto',
   surfaces: 'both',
   refine: 3,
+  intervals: {},
+  gradings: {},
 };
 
 /** The layers that each step shows by itself, with their opacities. */

@@ -1,0 +1,207 @@
+// The mesh that is handed out: which D̄-surfaces it keeps, and how finely its blocks are divided.
+import type { Mode } from '../../../wasm/settings.ts';
+import { elementCount, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
+import { cssColour, distinct } from '../scene/palette.ts';
+import { mostGrowth, mostIntervals } from '../state/view-state.ts';
+import { Choice, Icon, IconButton, Slider, Swatch } from './controls.tsx';
+import { useApp, useUi, useView } from './hooks.ts';
+
+/** Most that a slider reaches; links may ask for more. */
+const sliderIntervals = 32;
+/** D̄-surfaces that are listed. */
+const longestList = 300;
+
+export function MeshPanel() {
+  const app = useApp();
+  useUi((s) => s.model);
+  const result = app.model?.result;
+  if (!result || (result.mesh ?? result.primal).blocks.length === 0)
+    return <p class="hint">There is no mesh here.</p>;
+  return (
+    <>
+      <Blocks />
+      <Intervals />
+      <Surfaces />
+      <Gradings />
+    </>
+  );
+}
+
+/** Which mesh is handed out: steps 1 to 8 show the layered one all the same. */
+function Blocks() {
+  const app = useApp();
+  const { mode, extract } = useView((s) => s.reference);
+  const { mesh } = app.model!.result;
+  return (
+    <section aria-label="Blocks">
+      <h3>Blocks</h3>
+      <Choice<Mode>
+        label="Mesh"
+        value={mode}
+        choices={[
+          ['layered', 'Layered'],
+          ['coarsest', 'Coarsest'],
+        ]}
+        onChoose={(chosen) => void app.setReference({ mode: chosen })}
+      />
+      <p class="hint">
+        {mesh
+          ? `${mesh.extracted.length} D̄-surfaces extracted, ${mesh.quality.length} block(s) left: step 9 shows them, and files hold them.`
+          : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
+      </p>
+      {extract.length > 0 && (
+        <button type="button" onClick={() => void app.setReference({ extract: extract.slice(0, -1) })}>
+          Put D̄-surface {extract.at(-1)} back
+        </button>
+      )}
+    </section>
+  );
+}
+
+function Intervals() {
+  const app = useApp();
+  const state = useView((s) => s);
+  const { result } = app.model!;
+  const count = elementCount(result, refinementOf(state, result));
+  return (
+    <section aria-label="Refinement">
+      <h3>Refinement</h3>
+      <Slider
+        label="Intervals"
+        min={1}
+        max={Math.max(sliderIntervals, state.refine)}
+        step={1}
+        value={state.refine}
+        text={`${state.refine} per edge`}
+        onInput={(refine) => app.view.set({ refine: Math.min(mostIntervals, refine) }, { merge: 'refine' })}
+      />
+      <p class="hint">
+        {count.toLocaleString('en')} {count === 1 ? 'element' : 'elements'}.{' '}
+        {state.step === 9 ? '' : 'Step 9 shows them.'}
+      </p>
+      {state.step !== 9 && (
+        <button type="button" onClick={() => app.view.set({ step: 9 })}>
+          Show the elements
+        </button>
+      )}
+    </section>
+  );
+}
+
+/** Every D̄-surface with its layer of blocks, its intervals, and the way to extract it. */
+function Surfaces() {
+  const app = useApp();
+  const { selection, intervals, refine, reference } = useView((s) => s);
+  const { result } = app.model!;
+  const layers = surfaceLayers(result);
+  const name = result.dimension === 2 ? 'D̄-curve' : 'D̄-surface';
+  const set = (surface: number, n: number): void => {
+    app.view.set({ intervals: { ...intervals, [surface]: n } }, { merge: `intervals ${surface}` });
+  };
+  return (
+    <section aria-label={`${name}s`}>
+      <h3>
+        {name}s: {layers.length}
+      </h3>
+      <p class="hint">Each crosses a layer of blocks, and all its edges get the same intervals.</p>
+      {Object.keys(intervals).length > 0 && (
+        <button type="button" onClick={() => app.view.set({ intervals: {} })}>
+          All the same again
+        </button>
+      )}
+      <ul class="sheets">
+        {layers.slice(0, longestList).map(({ surface, blocks }) => {
+          const isSelected = selection?.kind === 'surface' && selection.id === surface;
+          const own = intervals[surface] ?? refine;
+          return (
+            <li key={surface}>
+              <button
+                type="button"
+                class="sheet-name"
+                aria-pressed={isSelected}
+                aria-label={`${name} ${surface}, ${blocks} blocks`}
+                onClick={() => app.select({ kind: 'surface', id: surface })}
+              >
+                <Swatch colour={cssColour(distinct(surface))} />
+                <span>{surface}</span>
+                <small>{blocks === 1 ? '1 block' : `${blocks.toLocaleString('en')} blocks`}</small>
+              </button>
+              <button
+                type="button"
+                class="extract"
+                aria-label={`Extract ${name} ${surface}`}
+                title="Collapse its layer of blocks"
+                disabled={layers.length < 2}
+                onClick={() => void app.setReference({ extract: [...reference.extract, surface] })}
+              >
+                Extract
+              </button>
+              <input
+                type="range"
+                min={1}
+                max={Math.max(sliderIntervals, own)}
+                step={1}
+                value={own}
+                aria-label={`Intervals across ${name} ${surface}`}
+                onInput={(e) => set(surface, Number(e.currentTarget.value))}
+              />
+              <output class={intervals[surface] === undefined ? '' : 'own'}>{own}</output>
+            </li>
+          );
+        })}
+      </ul>
+      {layers.length > longestList && (
+        <p class="hint">And {(layers.length - longestList).toLocaleString('en')} smaller ones.</p>
+      )}
+    </section>
+  );
+}
+
+/** Facets that elements get smaller towards. */
+function Gradings() {
+  const app = useApp();
+  const { selection, gradings } = useView((s) => s);
+  const facetName = app.model!.result.dimension === 2 ? 'segment' : 'facet';
+  const chosen = selection?.kind === 'facet' ? selection.id : null;
+  return (
+    <section aria-label="Grading">
+      <h3>Grading</h3>
+      {Object.entries(gradings).map(([facet, growth]) => (
+        <div class="grading" key={facet}>
+          <Slider
+            label={`At ${facetName} ${facet}`}
+            min={1.05}
+            max={mostGrowth}
+            step={0.05}
+            value={growth}
+            text={`× ${growth.toFixed(2)}`}
+            onInput={(value) =>
+              app.view.set({ gradings: { ...gradings, [facet]: value } }, { merge: `grading ${facet}` })
+            }
+          />
+          <IconButton
+            label={`No grading at ${facetName} ${facet}`}
+            onClick={() => {
+              const rest = { ...gradings };
+              delete rest[facet];
+              app.view.set({ gradings: rest });
+            }}
+          >
+            <Icon name="close" />
+          </IconButton>
+        </div>
+      ))}
+      <button
+        type="button"
+        disabled={chosen === null || gradings[chosen] !== undefined}
+        onClick={() => app.view.set({ gradings: { ...gradings, [chosen!]: 1.3 } })}
+      >
+        {chosen === null ? `Grade towards a selected ${facetName}` : `Grade towards ${facetName} ${chosen}`}
+      </button>
+      <p class="hint">
+        Elements get larger by this factor from one to the next, away from the {facetName}. Select one in step
+        1.
+      </p>
+    </section>
+  );
+}
