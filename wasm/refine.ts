@@ -40,6 +40,8 @@ export interface RefinedMesh {
   /** The same inside the domain, each once. */
   interfaceFaces: Int32Array;
   interfaceFacet: Int32Array;
+  /** Along the blocks' edges: two nodes and an element that has them, one after the other. */
+  outline: Int32Array;
   /** Per D̄-surface; 0 for one that is not in the mesh. */
   intervals: Int32Array;
   /** Per D̄-surface (offsets): where along the edges that it crosses their nodes are, from 0 to 1. */

@@ -20,6 +20,7 @@ template <int N> val refinedToJs(const RefinedMesh<N> &refined) {
   m.set("boundaryElement", toJs<Index>(refined.boundaryElement));
   m.set("interfaceFaces", toJs<Index>(refined.interfaces.faces));
   m.set("interfaceFacet", toJs<Index>(refined.interfaces.facet));
+  m.set("outline", toJs<Index>(refined.outline));
   m.set("intervals", toJs<Index>(refined.intervals));
   m.set("placeOffsets", toJs<Index>(refined.places.offsets));
   m.set("places", toJs<double>(refined.places.items));

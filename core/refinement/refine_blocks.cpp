@@ -21,7 +21,8 @@ public:
   Refiner(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton, const BentShape<N> &shape,
           const Spacing &spacing)
       : blocks_(blocks), skeleton_(skeleton), shape_(shape), spacing_(spacing),
-        isStraightEdge_(skeleton.edges.size()), isStraightFace_(skeleton.patchOfFace.size()) {
+        isStraightEdge_(skeleton.edges.size()), isStraightFace_(skeleton.patchOfFace.size()),
+        isListed_(skeleton.edges.size(), false) {
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e)
       isStraightEdge_[e] = !isCurved(shape, skeleton, toIndex(e));
     for (std::size_t f = 0; f < skeleton.patchOfFace.size(); ++f)
@@ -60,6 +61,7 @@ public:
     forBlocks(0.5, 0.5, [&](Index b) {
       const Index firstElement = toIndex(result_.elements.size());
       addElements(b);
+      addOutline(b, firstElement);
       addFaces(b, firstElement);
     });
     return std::move(result_);
@@ -331,6 +333,27 @@ private:
     });
   }
 
+  /// The elements' edges along those of the block, each of which is listed once.
+  void addOutline(Index b, Index firstElement) {
+    for (int axis = 0; axis < N; ++axis)
+      for (unsigned bits = 0; bits < 1U << N; ++bits) {
+        if (bits >> axis & 1U) continue;
+        const Index edge = skeleton_.edgesOf[at(b)][edgeAt<N>(axis, bits)];
+        if (isListed_[at(edge)]) continue;
+        isListed_[at(edge)] = true;
+        std::array<Index, N> c{};
+        std::size_t place = 0;
+        for (std::size_t a = 0; a < N; ++a)
+          if (bits >> a & 1U) {
+            c[a] = n_[a] - 1;
+            place += at(n_[a]) * stride_[a];
+          }
+        const std::size_t step = stride_[at(axis)];
+        for (Index &k = c[at(axis)]; k < n_[at(axis)]; ++k, place += step)
+          result_.outline.push_back({grid_[place], grid_[place + step], firstElement + elementInBlock(c)});
+      }
+  }
+
   /// The elements' faces on facets; of an interface's, which two blocks have, those of the first.
   void addFaces(Index b, Index firstElement) {
     for (int f = 0; f < 2 * N; ++f) {
@@ -362,6 +385,7 @@ private:
   std::vector<bool> isStraightEdge_, isStraightFace_;
   std::vector<Index> firstOfEdge_, firstOfFace_, firstOfBlock_; // the first node inside each
   std::vector<Index> blocksAtFace_; // per face (2D: edge); kNone once its elements' faces are listed
+  std::vector<bool> isListed_;      // per edge: in the outline
   std::size_t elementCount_ = 0;
   RefinedMesh<N> result_;
   // Of the block at hand:

@@ -17,11 +17,13 @@ template <int N> struct RefinedMesh {
   std::vector<double> quality;                     // per element: scaled Jacobian
   BoundaryFaces<N> boundary;
   std::vector<Index> boundaryElement; // per face of the boundary: whose it is
-  BoundaryFaces<N> interfaces;  // faces on facets inside the domain, as one of the two blocks sees them
+  BoundaryFaces<N> interfaces;        // faces on facets inside the domain, as one of the two blocks sees them
+  std::vector<std::array<Index, 3>>
+      outline;                  // along the blocks' edges: two nodes and an element that has them
   std::vector<Index> intervals; // per D-bar-surface; 0 for one that is not in the mesh
-  Lists<double> places; // per D-bar-surface, as in Spacing
+  Lists<double> places;         // per D-bar-surface, as in Spacing
   std::vector<std::array<std::uint8_t, N>> isReversed; // per block and axis: its surface runs against it
-  Index straightened = 0;       // blocks that bent sides would have made invalid: their elements are straight
+  Index straightened = 0; // blocks that bent sides would have made invalid: their elements are straight
 };
 
 /// Divides valid blocks. Nodes on bent sides and curves lie on them; where that would invert an element, the

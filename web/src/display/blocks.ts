@@ -54,6 +54,8 @@ export function displayBlocks(dimension: 2 | 3, positions: Float64Array, blocks:
 
 export interface RefinedCells {
   cells: CellSet;
+  /** The edges of the blocks, each piece with a cell that has it. */
+  outline: SegmentSet;
   /** Per cell: its element; null where every element is a cell. */
   element: Int32Array | null;
   /** Per cell: its block. */
@@ -72,7 +74,8 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
   const { positions, elements, block, quality } = mesh;
   if (dimension === 2 || quality.length <= mostWithInside) {
     const cells = displayBlocks(dimension, positions, elements);
-    return { cells, element: null, block, quality, allQuality: quality };
+    const outline = outlineOf(dimension, mesh, null);
+    return { cells, outline, element: null, block, quality, allQuality: quality };
   }
   const outer = new Uint8Array(quality.length);
   for (const e of mesh.boundaryElement) outer[e] = 1;
@@ -87,9 +90,25 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
   });
   return {
     cells: displayBlocks(3, positions, nodes),
+    outline: outlineOf(3, mesh, element),
     element,
     block: element.map((e) => block[e]!),
     quality: Float64Array.from(element, (e) => quality[e]!),
     allQuality: quality,
   };
+}
+
+/** `element`: those that are drawn; null for all. */
+function outlineOf(dimension: 2 | 3, mesh: RefinedMesh, element: Int32Array | null): SegmentSet {
+  const cellOf = element && new Map(Array.from(element, (e, cell) => [e, cell]));
+  const ends = new Ints();
+  const entity = new Ints();
+  for (let k = 0; k < mesh.outline.length; k += 3) {
+    const own = mesh.outline[k + 2]!;
+    const cell = cellOf ? cellOf.get(own) : own;
+    if (cell === undefined) continue;
+    ends.push(mesh.outline[k]!, mesh.outline[k + 1]!);
+    entity.push(cell);
+  }
+  return { ends: pick(dimension, mesh.positions, ends.finish()), entity: entity.finish() };
 }

@@ -20,6 +20,7 @@ function layerName(id: LayerId, dimension: 2 | 3): string {
     nodes: 'Primal nodes',
     blocks: 'Blocks',
     refined: 'Refined mesh',
+    outline: 'Edges of its blocks',
   };
   return names[id];
 }
@@ -39,7 +40,7 @@ export function LayersPanel() {
   };
   const solo = state.solo[step];
   const available = layerIds.filter(
-    (id) => id !== 'refined' || step === 9 || app.stage.scene?.refinement != null,
+    (id) => (id !== 'refined' && id !== 'outline') || step === 9 || app.stage.scene?.refinement != null,
   );
   return (
     <>

@@ -94,6 +94,13 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
             quality: refined.quality,
           })
         : undefined;
+    case 'outline':
+      return refined
+        ? made(new SegmentLayer(refined.outline, 2.2, { kind: 'element', number, bias: 0.004 }), {
+            depth: refined.cells.depth,
+            quality: refined.quality,
+          })
+        : undefined;
   }
 }
 
@@ -154,6 +161,7 @@ function paintOf(
     case 'nodes':
       return (cell) => ({ colour: cellPalette[dual.colour[cell]!] ?? theme.facet });
     case 'edges':
+    case 'outline':
       return () => ({ colour: theme.line });
     case 'blocks':
       return (b) => ({ colour: qualityColour(result.primal.quality[b]!) });

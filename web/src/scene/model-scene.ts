@@ -70,6 +70,7 @@ export class ModelScene {
   setRefined(refined: RefinedDisplay | null): void {
     this.refined = refined;
     this.drop('refined');
+    this.drop('outline');
     this.selection = null; // marked anew: its counterparts change
     this.isolated = null;
   }
@@ -134,7 +135,7 @@ export class ModelScene {
     uniforms.shrink.value = deforms && !(many && state.shrink === null) ? shrinkOf(state, step) : 1;
     uniforms.explode.value = deforms && !(many && state.explode === null) ? explodeOf(state, step) : 0;
     uniforms.origin.value.copy(this.center);
-    uniforms.inked.value = id === 'edges' && step >= 8 ? 1 : 0;
+    uniforms.inked.value = (id === 'edges' && step >= 8) || id === 'outline' ? 1 : 0;
     uniforms.dimmed.value = state.selection ? 1 : 0;
   }
 
@@ -153,7 +154,7 @@ export class ModelScene {
         : id === 'soft' && step === 4
           ? state.scrub.soft
           : null) ?? Number.POSITIVE_INFINITY;
-    const quality = id === 'blocks' || id === 'refined' ? state.quality : null;
+    const quality = id === 'blocks' || id === 'refined' || id === 'outline' ? state.quality : null;
     const key = JSON.stringify([
       gaps,
       cuts ? [plane, shrink.value, explode.value] : null,

@@ -30,6 +30,7 @@ export const layerIds = [
   'nodes',
   'blocks',
   'refined',
+  'outline',
 ] as const;
 export type LayerId = (typeof layerIds)[number];
 
@@ -170,7 +171,7 @@ const stepLayers: Record<Step, Partial<Record<LayerId, number>>> = {
   6: { cells: 1 },
   7: { facets: 0.12, curves: 1, edges: 1, nodes: 1 },
   8: { blocks: 1, edges: 1 },
-  9: { refined: 1, edges: 1 },
+  9: { refined: 1, outline: 1 },
 };
 const stepShrink: Partial<Record<Step, number>> = { 2: 0.9 };
 const stepExplode: Partial<Record<Step, number>> = { 6: 0.12 };
