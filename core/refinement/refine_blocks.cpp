@@ -16,6 +16,11 @@ constexpr std::array<std::size_t, 2> axesOfFace(std::size_t face) {
   return {across == 0 ? 1U : 0U, across == 2 ? 1U : 2U};
 }
 
+/// In digits, as long as that says more than powers of ten.
+std::string wholeNumber(double x) {
+  return x < 1e15 ? std::to_string(static_cast<long long>(x)) : formatNumber(x);
+}
+
 template <int N> class Refiner {
 public:
   Refiner(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton, const BentShape<N> &shape,
@@ -411,8 +416,8 @@ Result<RefinedMesh<N>> refineBlocks(const BlockMesh<N> &blocks, const std::vecto
   }
   if (elements > options.elementLimit)
     return Error{ErrorCode::badOption,
-                 "The refined mesh would have " + formatNumber(elements) + " elements, and " +
-                     formatNumber(options.elementLimit) +
+                 "The refined mesh would have " + wholeNumber(elements) + " elements, and " +
+                     wholeNumber(options.elementLimit) +
                      " are the most: give fewer intervals, or a larger size.",
                  {}};
   return Refiner<N>(blocks, skeleton, shape, spacing.value()).refine(progress);

@@ -8,15 +8,18 @@ import { readGmsh } from '../../wasm/check/read-gmsh.ts';
 import type { Dualblock } from '../../wasm/dualblock.ts';
 import { blockMesh } from '../../wasm/io/block-mesh-of.ts';
 import { type FacetGroup, facetGroups } from '../../wasm/io/facet-groups.ts';
+import { type Refiner, refineInput } from '../../wasm/refine.ts';
 import type { RunResult } from '../../wasm/result.ts';
-import { exampleBytes, runExample, runFile, startCore } from './support/core.ts';
+import { exampleBytes, runExample, runFile, startCore, startRefiner } from './support/core.ts';
 import { complaints, hasProgram, hasPythonModule, runIn, runPython, useFolder } from './support/programs.ts';
 import { box, domainJson } from './support/solids.ts';
 import { meshWriter, writeBlockMeshDict } from './support/writers.ts';
 
 let core: Dualblock;
+let refiner: Refiner;
 beforeAll(async () => {
   core = await startCore();
+  refiner = await startRefiner();
 });
 afterAll(() => core.dispose());
 const folder = useFolder();
@@ -285,4 +288,58 @@ describe.runIf(hasProgram('blockMesh', 'openfoam'))('OpenFOAM', () => {
       expect(checked.output).toMatch(new RegExp(`cell zones: +${new Set(mesh.region).size}\n`));
     },
   );
+
+  // blockMesh divides edges and fills blocks by its own code: its points are ours, one by one.
+  it.each(['tapered_brick', 'house', 'icosahedron', 'two_holes_2d', 'box_on_box'])(
+    'puts the points of %s where refinement does, graded',
+    (name) => {
+      const result = runExample(core, name);
+      const { dimension } = result;
+      const refined = refiner.refine(refineInput(result), {
+        intervals: 3,
+        ofSurface: [{ surface: 1, intervals: 4 }],
+        gradings: [
+          { facet: 0, growth: 1.4 },
+          { facet: 2, growth: 2 },
+        ],
+      });
+      const folderOfCase = join(folder, `${name}-graded`);
+      mkdirSync(join(folderOfCase, 'system'), { recursive: true });
+      for (const [file, text] of Object.entries(dictionaries))
+        writeFileSync(join(folderOfCase, 'system', file), header(file) + text);
+      const precise = `${header('controlDict')}${dictionaries.controlDict} writePrecision 15;`;
+      writeFileSync(join(folderOfCase, 'system', 'controlDict'), precise);
+      writeFileSync(
+        join(folderOfCase, 'system', 'blockMeshDict'),
+        meshWriter('blockMeshDict')(result, refined) as string,
+      );
+      const made = runIn(folderOfCase, 'blockMesh');
+      expect(complaints(made.output)).toEqual([]);
+      const file = readFileSync(join(folderOfCase, 'constant', 'polyMesh', 'points'), 'utf8');
+      const theirs = [...file.matchAll(/^\(([^ ()]+) ([^ ()]+) ([^ ()]+)\)$/gm)]
+        .map(([, ...x]) => x.map(Number))
+        .filter(([, , z]) => dimension === 3 || z === 0)
+        .map((x) => x.slice(0, dimension));
+      const ours = Array.from({ length: refined.positions.length / dimension }, (_, node) => [
+        ...refined.positions.subarray(dimension * node, dimension * (node + 1)),
+      ]);
+      const key = (x: number[]): string => x.map((v) => (Math.round(v * 1e7) / 1e7 + 0).toFixed(7)).join(' ');
+      expect(theirs.map(key).sort()).toEqual(ours.map(key).sort());
+    },
+  );
+
+  it('makes a refined mesh readable elsewhere', () => {
+    const result = runExample(core, 'plate_with_hole');
+    const refined = refiner.refine(refineInput(result), { intervals: 3 });
+    for (const extension of ['msh', 'vtu'])
+      writeFileSync(join(folder, `fine.${extension}`), meshWriter(`a.${extension}`)(result, refined));
+    const words = ['-v', '5', 'fine.msh', '-check', '-save', '-format', 'msh22', '-o', 'again.msh'];
+    const { output } = runIn(folder, 'gmsh', ...words);
+    expect(complaints(output)).toEqual([]);
+    const mesh = readGmsh(readFileSync(join(folder, 'again.msh')));
+    const domain = domainReader('a.json')(exampleBytes('plate_with_hole'));
+    const { findings, counts } = checkMesh(mesh, domain, defaultCheckSettings);
+    expect(findings.failures).toEqual([]);
+    expect(counts.blocks).toBe(27 * result.primal.quality.length);
+  });
 });

@@ -81,7 +81,7 @@ describe('by keyboard alone', () => {
     expect((await viewOf(page)).model).toMatchObject({ name: 'protrusion' });
     // Tabs of the left panel by arrows.
     await page.focus('#tab-model');
-    await press('ArrowRight', 'ArrowRight');
+    await press('ArrowRight', 'ArrowRight', 'ArrowRight');
     expect(await page.getAttribute('#tab-filters', 'aria-selected')).toBe('true');
     // Slice, peel, explode.
     await page.evaluate(() => (document.activeElement as HTMLElement).blur());
@@ -145,12 +145,12 @@ describe('axe', () => {
     const small = context.viewport === phone;
     expect(await serious(page)).toEqual([]);
     if (small)
-      for (const tab of ['Explain', 'Selection', 'Model', 'Layers', 'Filters', 'Look']) {
+      for (const tab of ['Explain', 'Selection', 'Model', 'Mesh', 'Layers', 'Filters', 'Look']) {
         await page.click(`.sheet-tabs >> text=${tab}`);
         expect(await serious(page)).toEqual([]);
       }
     else
-      for (const tab of ['layers', 'filters', 'look']) {
+      for (const tab of ['mesh', 'layers', 'filters', 'look']) {
         await page.click(`#tab-${tab}`);
         if (tab === 'filters') await page.keyboard.press('s');
         expect(await serious(page)).toEqual([]);
@@ -185,7 +185,7 @@ describe('a phone', () => {
           .map((el) => el.outerHTML.slice(0, 80)),
       );
     expect(await outside()).toEqual([]);
-    for (const tab of ['Selection', 'Explain', 'Model', 'Layers', 'Filters', 'Look']) {
+    for (const tab of ['Selection', 'Explain', 'Model', 'Mesh', 'Layers', 'Filters', 'Look']) {
       await page.tap(`.sheet-tabs >> text=${tab}`);
       expect(await outside()).toEqual([]);
       // The model is still there, above the sheet.

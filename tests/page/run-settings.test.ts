@@ -99,6 +99,7 @@ describe('the coarsest mesh', () => {
     const { page } = opened;
     await setView(page, { step: 9, refine: 1 });
     expect([await blocks(page), await elements(page)]).toEqual([64, 64]);
+    await page.click('#tab-mesh');
     await page.getByRole('button', { name: 'Coarsest', exact: true }).click();
     await settle(page);
     expect([await blocks(page), await elements(page)]).toEqual([64, 8]);

@@ -1,7 +1,10 @@
 // What leaves the page: pictures, meshes, what is seen as glTF, reports.
+import type { Chunks } from '../../wasm/io/block-mesh.ts';
+import { refineInput } from '../../wasm/refine.ts';
 import { makeReport, summarize } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
 import type { App } from './app.ts';
+import { refinementOf } from './model/final-mesh.ts';
 import type { Model } from './model/model.ts';
 import { viewToJson } from './state/codec.ts';
 import { embedText } from './state/png.ts';
@@ -56,6 +59,19 @@ const valid = ({ model }: App): boolean =>
   model?.result.certificate.valid === true && !model.result.onlyMatching;
 const any = ({ model }: App): boolean => model !== null;
 
+/** A file of pieces, with pauses for the page between them. */
+async function blobOf(pieces: Chunks): Promise<Blob> {
+  const parts: (string | Uint8Array<ArrayBuffer>)[] = [];
+  let since = performance.now();
+  for (const piece of pieces) {
+    parts.push(piece);
+    if (performance.now() - since < 30) continue;
+    await new Promise((go) => setTimeout(go));
+    since = performance.now();
+  }
+  return new Blob(parts);
+}
+
 /** Only certified meshes are handed out. */
 const mesh = (extension: string, name: string, hint: string): Exporter => ({
   id: extension,
@@ -64,8 +80,14 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
   allowed: valid,
   save: async (app) => {
     const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
-    const pieces = meshWriter(`mesh.${extension}`)(app.model!.result);
-    download(new Blob([...pieces]), `${baseName(app.model!)}.${extension}`);
+    const model = app.model!;
+    const { result } = model;
+    const refinement = refinementOf(app.view.state, result);
+    const refined = app.ui.state.exportsElements
+      ? await app.core.elements(refineInput(result), refinement)
+      : null;
+    const pieces = meshWriter(`mesh.${extension}`)(result, refined);
+    download(await blobOf(pieces), `${baseName(model)}.${extension}`);
   },
 });
 

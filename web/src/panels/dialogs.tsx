@@ -3,6 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { actions } from '../actions.ts';
 import { download, exporters, pictureOf } from '../export.ts';
+import { elementCount, refinementOf } from '../model/final-mesh.ts';
 import { figures } from '../model/paper.ts';
 import type { Dialog as DialogName } from '../state/ui-state.ts';
 import { Check, Choice, Icon, IconButton } from './controls.tsx';
@@ -161,6 +162,9 @@ function Export() {
   const [scale, setScale] = useState<'1' | '2' | '4'>('2');
   const [clear, setClear] = useState(false);
   const [failed, setFailed] = useState('');
+  const exportsElements = useUi((s) => s.exportsElements);
+  const result = app.model?.result;
+  const elements = result ? elementCount(result, refinementOf(app.view.state, result)) : 0;
   const run = async (work: () => Promise<void>): Promise<void> => {
     setFailed('');
     try {
@@ -191,6 +195,13 @@ function Export() {
         PNG, with the view in it
       </button>
       <h3>Mesh and data</h3>
+      {elements > 0 && (
+        <Check
+          label={`Elements of step 9 in place of blocks: ${elements.toLocaleString('en')}`}
+          checked={exportsElements}
+          onChange={(on) => app.setUi({ exportsElements: on })}
+        />
+      )}
       <ul class="exports">
         {exporters.map(({ id, name, hint, allowed, save }) => (
           <li key={id}>

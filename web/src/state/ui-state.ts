@@ -44,6 +44,8 @@ export interface UiState {
   phone: boolean;
   dark: boolean;
   dropping: boolean;
+  /** Files hold the elements of step 9 in place of the blocks. */
+  exportsElements: boolean;
 }
 
 export const initialUi: UiState = {
@@ -64,4 +66,5 @@ export const initialUi: UiState = {
   phone: false,
   dark: false,
   dropping: false,
+  exportsElements: false,
 };

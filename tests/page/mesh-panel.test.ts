@@ -1,0 +1,185 @@
+// The Mesh panel: D̄-surfaces with their layers, extraction and its undo, intervals and gradings, files of elements.
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import {
+  chooseFile,
+  downloaded,
+  expectNoProblems,
+  openExample,
+  settle,
+  setView,
+  usePage,
+  viewOf,
+} from './support/page.ts';
+
+const host = usePage();
+
+const elements = (page: Page): Promise<number> =>
+  page.evaluate(() => dualblock.stage.scene?.refinement?.allQuality.length ?? 0);
+const surfaces = (page: Page): Promise<number> => page.locator('.sheets li').count();
+const slide = async (page: Page, label: RegExp, value: number): Promise<void> => {
+  await page
+    .locator('label.slider, .sheets li')
+    .filter({ hasText: label })
+    .locator('input')
+    .fill(String(value));
+  await settle(page);
+};
+
+async function openMesh(name: string) {
+  const opened = await host.open();
+  const { page } = opened;
+  await openExample(page, name);
+  await page.click('#tab-mesh');
+  await setView(page, { step: 9 });
+  return opened;
+}
+
+describe('D̄-surfaces', () => {
+  it('are listed with their layers, and light them up', async () => {
+    const opened = await openMesh('tapered_brick');
+    const { page } = opened;
+    expect(await surfaces(page)).toBe(6);
+    // A brick's layered mesh has two blocks along each edge: every layer has four of the eight.
+    expect(await page.locator('.sheet-name small').allTextContents()).toEqual(new Array(6).fill('4 blocks'));
+    await page.locator('.sheet-name').first().click();
+    const { selection } = await viewOf(page);
+    expect(selection?.kind).toBe('surface');
+    expect(await page.locator('.sheet-name').first().getAttribute('aria-pressed')).toBe('true');
+    const lit = await page.evaluate(() => {
+      const scene = dualblock.stage.scene as unknown as { related: Record<string, Set<number>> | null };
+      return scene.related?.['element']?.size ?? 0;
+    });
+    expect(lit).toBe(4 * 27);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('are extracted one by one, put back, undone, and come by a link', async () => {
+    const opened = await openMesh('tapered_brick');
+    const { page } = opened;
+    await setView(page, { refine: 1 });
+    for (const left of [4, 2, 1]) {
+      // Small layers last: each is one of two parallel ones, of which the other has to stay.
+      await page.locator('.sheets .extract').last().click();
+      await settle(page);
+      expect(await elements(page)).toBe(left);
+    }
+    expect(await surfaces(page)).toBe(3);
+    const { reference } = await viewOf(page);
+    expect(reference.extract.length).toBe(3);
+    const link = (await page.evaluate(() => dualblock.link()))!;
+    const { page: linked } = await host.open({ fragment: link.slice(link.indexOf('#')) });
+    expect([(await viewOf(linked)).reference, await elements(linked)]).toEqual([reference, 1]);
+    await linked.close();
+    await page.getByRole('button', { name: /^Put D̄-surface \d+ back$/ }).click();
+    await settle(page);
+    expect(await elements(page)).toBe(2);
+    await page.evaluate(() => dualblock.undo());
+    await settle(page);
+    expect([await elements(page), (await viewOf(page)).reference]).toEqual([1, reference]);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('that hold a feature are refused with the reason, and nothing changes', async () => {
+    const opened = await openMesh('icosahedron');
+    const { page } = opened;
+    const before = await elements(page);
+    await page.locator('.sheets .extract').first().click();
+    await settle(page);
+    expect(await page.textContent('#error')).toMatch(/cannot be extracted/);
+    expect(await elements(page)).toBe(before);
+    expect((await viewOf(page)).reference.extract).toEqual([]);
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
+describe('intervals', () => {
+  it('go for all edges, or for those of a D̄-surface, at once', async () => {
+    const opened = await openMesh('tapered_brick');
+    const { page } = opened;
+    await slide(page, /^Intervals/, 2);
+    expect(await elements(page)).toBe(8 * 8);
+    const first = Number(await page.locator('.sheet-name span:nth-child(2)').first().textContent());
+    await slide(page, new RegExp(`^${first}4 blocks`), 5);
+    expect(await elements(page)).toBe(4 * 8 + 4 * 20);
+    expect(await page.getByLabel('Refinement', { exact: true }).textContent()).toContain('112 elements');
+    expect(await page.locator('.counts').first().textContent()).toContain('2 to 5');
+    await page.getByRole('button', { name: 'All the same again' }).click();
+    await settle(page);
+    expect(await elements(page)).toBe(64);
+    await page.evaluate(() => dualblock.undo());
+    await settle(page);
+    expect(await elements(page)).toBe(112);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('beyond what can be drawn are refused in words', async () => {
+    const opened = await openMesh('protrusion');
+    const { page } = opened;
+    await setView(page, { refine: 100 });
+    expect(await page.textContent('#status')).toMatch(
+      /would have 80000000 elements, and 2000000 are the most/,
+    );
+    await setView(page, { refine: 2 });
+    expect(await elements(page)).toBe(640);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('follow bent sides in the browser as in files', async () => {
+    const opened = await openMesh('cylinder');
+    const { page } = opened;
+    await page.evaluate(() => dualblock.setUi({ dialog: 'export' }));
+    await page.getByLabel(/Elements of step 9/).check();
+    const vtk = await downloaded(page, () => page.click('[data-export=vtk]'));
+    expect(vtk.bytes.toString()).toMatch(/CELLS 648 5832/);
+    const dict = await downloaded(page, () => page.click('[data-export=blockMeshDict]'));
+    expect(dict.bytes.toString()).toMatch(/\(3 3 3\) simpleGrading \(1 1 1\)/);
+    await page.getByLabel(/Elements of step 9/).uncheck();
+    const blocks = await downloaded(page, () => page.click('[data-export=vtk]'));
+    expect(blocks.bytes.toString()).toMatch(/CELLS 24 216/);
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
+describe('gradings', () => {
+  it('are set at the selected facet, changed and taken away', async () => {
+    const opened = await openMesh('tapered_brick');
+    const { page } = opened;
+    expect(await page.getByRole('button', { name: 'Grade towards a selected facet' }).isDisabled()).toBe(
+      true,
+    );
+    await setView(page, { selection: { kind: 'facet', id: 0 } });
+    await page.getByRole('button', { name: 'Grade towards facet 0' }).click();
+    await settle(page);
+    expect((await viewOf(page)).gradings).toEqual({ 0: 1.3 });
+    const graded = (): Promise<object> =>
+      page.evaluate(() => dualblock.stage.scene!.refinement!.refinement.gradings);
+    expect(await graded()).toEqual([{ facet: 0, growth: 1.3 }]);
+    await slide(page, /^At facet 0/, 2);
+    expect(await graded()).toEqual([{ facet: 0, growth: 2 }]);
+    await page.getByLabel('No grading at facet 0').click();
+    await settle(page);
+    expect(await graded()).toEqual([]);
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
+it('says so where there is no mesh', async () => {
+  const opened = await host.open();
+  const { page } = opened;
+  await openExample(page, 'figure_12a');
+  await page.click('#tab-mesh');
+  expect(await page.textContent('#left-content')).toBe('There is no mesh here.');
+  await chooseFile(page, 'broken.off', 'OFF\n0 0 0\n');
+  await settle(page);
+  expect(await page.textContent('#left-content')).toBe('There is no mesh here.');
+  expectNoProblems(opened);
+  await page.close();
+});
