@@ -316,12 +316,13 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   if (decomposition.pulled)
     for (std::size_t c = 0; c < source.size(); ++c)
       if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
-  if (r.certificate.valid && (options.mode.mode != Mode::layered || !options.mode.extract.empty())) {
+  const ModeOptions &mode = options.mode;
+  if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {
     clock.start("extraction", 0.95);
     const BlockMesh<N> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
     const BlockInput<N> input{r.domain.domain, r.features, r.featureNodes,
                               r.mesh,          layered,    r.domain.deviation};
-    auto made = makeFinalMesh(input, r.certificate, options.mode);
+    auto made = makeFinalMesh(input, r.certificate, mode);
     if (!made.ok()) return made.error();
     r.finalMesh = std::move(made.value());
     r.certificate = r.finalMesh->certificate; // matching and cells have passed, on the layered mesh

@@ -127,6 +127,13 @@ typename BentShape<N>::Nearest BentShape<N>::onCurve(Index a, Index b, const Vec
   return best;
 }
 
+template <int N> Vec<N> BentShape<N>::project(const Index *first, const Index *last, const Vec<N> &x) const {
+  for (const Index *a = first; a != last; ++a)
+    for (const Index *b = a + 1; b != last; ++b)
+      if (hasCurve(*a, *b)) return onCurve(*a, *b, x).point;
+  return last - first == 1 && isBent(*first) ? onSide(*first, x).point : x;
+}
+
 template BentFacets<2> bentFacetsOf(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<Vec<2>> &);
 template BentFacets<3> bentFacetsOf(const ReferenceMesh<3> &, const Parts<3> &, const std::vector<Vec<3>> &);
 template class BentShape<2>;

@@ -35,6 +35,9 @@ public:
   /// Of the curve between two patches; x itself, without a direction, where there is none.
   Nearest onCurve(Index a, Index b, const Vec<N> &x) const;
   bool hasCurve(Index a, Index b) const;
+  /// The point next to x on what lies on all these patches: their curve, or the one bent side. x itself where
+  /// they are plane, and where sides only touch, so that nothing says where it should be.
+  Vec<N> project(const Index *first, const Index *last, const Vec<N> &x) const;
 
 private:
   struct FaceAlong {

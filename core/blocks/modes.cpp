@@ -4,6 +4,7 @@
 
 #include "base/sort.h"
 #include "blocks/coarsen.h"
+#include "blocks/insert.h"
 #include "blocks/relax.h"
 #include "geometry/jacobian.h"
 
@@ -30,6 +31,13 @@ Error refusal(Index surface, const std::string &why) {
           "D\u0304-surface " + std::to_string(surface) + " cannot be extracted: " + why +
               ". Leave it out, or choose another one.",
           {{"surface", surface}}};
+}
+
+Error noInsertion(Index facet, const std::string &why) {
+  return {ErrorCode::badOption,
+          "No D\u0304-surface can be inserted along facet " + std::to_string(facet) + ": " + why +
+              ". Leave it out, or choose another one.",
+          {{"facet", facet}}};
 }
 
 } // namespace
@@ -78,6 +86,20 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
     if (Certificate c = certified(relaxed); c.valid) {
       blocks = std::move(relaxed);
       result.certificate = std::move(c);
+    }
+  }
+  if (!options.insert.empty()) {
+    const BentShape<N> shape(bentFacetsOf(layered.mesh, layered.features, layered.featureNodes));
+    for (const auto &[facet, share] : options.insert) {
+      if (facet < 0 || at(facet) >= layered.domain.facets.size())
+        return noInsertion(facet, "it does not exist");
+      Insertion<N> next = insertAlong(layered.mesh, shape, blocks, facet, share);
+      if (!next.why.empty()) return noInsertion(facet, next.why);
+      Certificate c = certified(next.blocks);
+      if (!c.valid) return noInsertion(facet, c.failures[0].message);
+      blocks = std::move(next.blocks);
+      result.certificate = std::move(c);
+      result.inserted.insert(result.inserted.end(), next.inserted.begin(), next.inserted.end());
     }
   }
   result.quality = qualityOf(blocks);

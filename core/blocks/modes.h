@@ -13,17 +13,23 @@ struct ModeOptions {
   Mode mode = Mode::layered;
   std::vector<Index> extract; // D-bar-surfaces to extract first, in this order
   bool relax = true;
+  struct Insert {
+    Index facet;
+    double share; // see insertAlong
+  };
+  std::vector<Insert> insert; // along the sides of these facets, at last
 };
 
 template <int N> struct FinalMesh {
   BlockMesh<N> blocks;
-  std::vector<Index> extracted; // D-bar-surfaces, in the order that they went
-  std::vector<double> quality;  // per block: scaled Jacobian
+  std::vector<Index> extracted;               // D-bar-surfaces, in the order that they went
+  std::vector<std::array<Index, 2>> inserted; // D-bar-surface, and the one that it was split from
+  std::vector<double> quality;                // per block: scaled Jacobian
   Certificate certificate;
 };
 
-/// `layered` is a valid mesh with its certificate. An Error names a surface that cannot be extracted, and
-/// why. Nothing is returned that is not valid.
+/// `layered` is a valid mesh with its certificate. An Error names a surface that cannot be extracted, or a
+/// facet that none can be inserted along, and why. Nothing is returned that is not valid.
 template <int N>
 Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
                                    const ModeOptions &options);

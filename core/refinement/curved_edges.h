@@ -2,7 +2,7 @@
 #pragma once
 
 #include "blocks/bent_shape.h"
-#include "refinement/skeleton.h"
+#include "blocks/skeleton.h"
 
 namespace dualblock {
 
@@ -19,16 +19,8 @@ void bendEdge(const BentShape<N> &shape, const Skeleton<N> &skeleton, Index edge
               const std::vector<double> &places, std::vector<Vec<N>> &points) {
   const Index *const first = skeleton.patchesOfEdge.begin(edge);
   const Index *const last = skeleton.patchesOfEdge.end(edge);
-  std::array<Index, 2> curve{kNone, kNone};
-  for (const Index *a = first; a != last; ++a)
-    for (const Index *b = a + 1; b != last; ++b)
-      if (shape.hasCurve(*a, *b)) curve = {*a, *b};
-  if (curve[0] == kNone && last - first > 1) return; // sides that touch: nothing says where
   const auto project = [&] {
-    for (std::size_t k = 1; k + 1 < points.size(); ++k)
-      points[k] =
-          (curve[0] == kNone ? shape.onSide(*first, points[k]) : shape.onCurve(curve[0], curve[1], points[k]))
-              .point;
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) points[k] = shape.project(first, last, points[k]);
   };
   project();
   // The nearest points of a chord crowd where it is farthest from an arc: spread them again by length.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/disjoint_sets.h"
+#include "blocks/directions.h"
 
 namespace dualblock {
 namespace {
@@ -19,62 +19,8 @@ Error badCount(Index intervals) {
                  std::to_string(kMostIntervals) + ".");
 }
 
-/// How edges run along the surfaces that cross them: opposite edges of a face run alike.
-struct Directions {
-  std::vector<bool> isReversed; // per edge: the surface runs from its higher node to its lower one
-  std::vector<bool> isOneSided; // per surface: it cannot say which way is up, like a Moebius strip
-};
-
-template <int N>
-Directions directionsOf(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton, std::size_t surfaces) {
-  DisjointSets runs(2 * skeleton.edges.size()); // 2 * edge: it runs up, 2 * edge + 1: down
-  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-    for (int axis = 0; axis < N; ++axis) {
-      Index first = kNone; // an edge of the block, as it runs along the axis
-      for (unsigned bits = 0; bits < 1U << N; ++bits) {
-        if (bits >> axis & 1U) continue;
-        const Index edge = skeleton.edgesOf[b][edgeAt<N>(axis, bits)];
-        const Index low = blocks.blocks[b][cornerAt<N>(bits)];
-        const Index run = 2 * edge + (skeleton.edges[at(edge)][0] == low ? 0 : 1);
-        if (first == kNone) first = run;
-        runs.unite(first, run);
-        runs.unite(first ^ 1, run ^ 1);
-      }
-    }
-  Directions result{std::vector<bool>(skeleton.edges.size()), std::vector<bool>(surfaces, false)};
-  for (Index e = 0; e < toIndex(skeleton.edges.size()); ++e) {
-    const Index up = runs.find(2 * e);
-    const Index down = runs.find(2 * e + 1);
-    result.isReversed[at(e)] = down < up;
-    if (up == down) result.isOneSided[at(skeleton.surfaceOfEdge[at(e)])] = true;
-  }
-  return result;
-}
-
 /// Growth from the low and from the high end of a surface's edges; 1 where they are even.
 using Growth = std::array<double, 2>;
-
-/// An edge is graded from the end that lies on the side, unless the whole edge does.
-template <int N>
-void addGrading(const Skeleton<N> &skeleton, std::size_t nodeCount, const Directions &directions, Index patch,
-                double growth, std::vector<Growth> &growths) {
-  const auto liesOn = [&](Index e) {
-    return std::binary_search(skeleton.patchesOfEdge.begin(e), skeleton.patchesOfEdge.end(e), patch);
-  };
-  std::vector<bool> isOnSide(nodeCount, false);
-  for (Index e = 0; e < toIndex(skeleton.edges.size()); ++e)
-    if (liesOn(e))
-      for (const Index v : skeleton.edges[at(e)]) isOnSide[at(v)] = true;
-  for (Index e = 0; e < toIndex(skeleton.edges.size()); ++e) {
-    if (liesOn(e)) continue;
-    Growth &of = growths[at(skeleton.surfaceOfEdge[at(e)])];
-    for (std::size_t end = 0; end < 2; ++end)
-      if (isOnSide[at(skeleton.edges[at(e)][end])]) {
-        double &g = of[directions.isReversed[at(e)] ? 1 - end : end];
-        g = std::max(g, growth);
-      }
-  }
-}
 
 void appendPlaces(Index intervals, const Growth &growth, Lists<double> &places) {
   const auto lengthOf = [&](Index k) { // of interval k: grown from each graded end, whichever is nearer
@@ -128,7 +74,7 @@ Result<Spacing> spacingOf(const BlockMesh<N> &blocks, const Skeleton<N> &skeleto
     spacing.intervals[at(surface)] = intervals;
   }
 
-  const Directions directions = directionsOf(blocks, skeleton, surfaces);
+  const Directions directions = directionsOf(blocks, skeleton);
   std::vector<Growth> growths(surfaces, Growth{1, 1});
   for (const Grading &grading : options.gradings) {
     if (grading.facet < 0 || at(grading.facet) >= patchOfSurface.size())
@@ -137,9 +83,11 @@ Result<Spacing> spacingOf(const BlockMesh<N> &blocks, const Skeleton<N> &skeleto
     if (!(grading.growth >= 1 && grading.growth <= 1000))
       return refused("Elements cannot grow by the factor " + formatNumber(grading.growth) +
                      ": give 1 to 1000, such as 1.2.");
-    const Index patch = patchOfSurface[at(grading.facet)];
-    addGrading(skeleton, blocks.positions.size(), directions, patch == kNone ? grading.facet : patch,
-               grading.growth, growths);
+    const std::vector<unsigned> ends =
+        endsOnSide(blocks, skeleton, directions, patchOfSurface, patchOf(patchOfSurface, grading.facet));
+    for (std::size_t s = 0; s < surfaces; ++s)
+      for (std::size_t end = 0; end < 2; ++end)
+        if (ends[s] >> end & 1U) growths[s][end] = std::max(growths[s][end], grading.growth);
   }
   for (std::size_t s = 0; s < surfaces; ++s) {
     Growth &growth = growths[s];

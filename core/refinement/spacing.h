@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "refinement/skeleton.h"
+#include "blocks/skeleton.h"
 
 namespace dualblock {
 

@@ -31,6 +31,12 @@ template <int N> struct Skeleton {
   std::vector<Index> patchOfFace;                // that it lies on, or kNone
 };
 
+/// The patch of a surface, given Surface::patch of each: half of ReferenceMesh::sideKey.
+inline Index patchOf(const std::vector<Index> &patchOfSurface, Index surface) {
+  const Index patch = patchOfSurface[at(surface)];
+  return patch == kNone ? surface : patch;
+}
+
 /// `patchOfSurface`: per surface of the reference mesh, as in Surface; patches are numbered as half of
 /// ReferenceMesh::sideKey.
 template <int N> Skeleton<N> skeletonOf(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface);

@@ -1,4 +1,4 @@
-#include "refinement/skeleton.h"
+#include "blocks/skeleton.h"
 
 #include "base/sort.h"
 
@@ -104,8 +104,7 @@ Skeleton<N> skeletonOf(const BlockMesh<N> &blocks, const std::vector<Index> &pat
   for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
     for (int f = 0; f < 2 * N; ++f) {
       if (blocks.tags[b][at(f)] == kNone) continue;
-      const Index surface = FaceTag::surface(blocks.tags[b][at(f)]);
-      const Index patch = patchOfSurface[at(surface)] == kNone ? surface : patchOfSurface[at(surface)];
+      const Index patch = patchOf(patchOfSurface, FaceTag::surface(blocks.tags[b][at(f)]));
       if constexpr (N == 3) skeleton.patchOfFace[at(skeleton.facesOf[b][at(f)])] = patch;
       constexpr int kCycle = N == 3 ? 4 : 1; // edges of a face
       for (int k = 0; k < kCycle; ++k) {
