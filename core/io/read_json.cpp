@@ -1,5 +1,6 @@
 #include "io/read_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/sort.h"
@@ -18,6 +19,57 @@ struct Refusal {
 [[noreturn]] void refuse(ErrorCode code, const std::string &message, std::vector<EntityRef> entities = {}) {
   throw Refusal{{code, message, std::move(entities)}};
 }
+
+/// Builds the tree of a JSON text, like the library's own builder, which brings filters by callback and
+/// exceptions into the module.
+struct TreeBuilder {
+  Json &root;
+  std::vector<Json *> open = {}; // arrays and objects that are not closed yet, outermost first
+  Json *named = nullptr;         // of the innermost object, the member whose value follows
+  std::size_t errorOffset = 0;   // bytes read up to where the text is no JSON
+
+  Json &put(Json value) {
+    if (open.empty()) return root = std::move(value);
+    if (open.back()->is_object()) return *named = std::move(value);
+    open.back()->push_back(std::move(value));
+    return open.back()->back();
+  }
+  bool add(Json value) {
+    put(std::move(value));
+    return true;
+  }
+  bool begin(Json value) {
+    open.push_back(&put(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open.pop_back();
+    return true;
+  }
+
+  // What the parser calls.
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string &) { return add(value); }
+  bool string(std::string &value) { return add(std::move(value)); }
+  bool binary(Json::binary_t &) { return false; } // in no text
+  bool start_object(std::size_t) { return begin(Json::object()); }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return begin(Json::array()); }
+  bool end_array() { return close(); }
+  bool key(std::string &name) {
+    named = &(*open.back())[name];
+    return true;
+  }
+  bool parse_error(std::size_t offset, const std::string &, const Json::exception &problem) {
+    if (problem.id >= 200) // not of a parse_error: a number that no double can hold
+      refuse(ErrorCode::syntax, std::string("The domain is not well formed: ") + problem.what());
+    errorOffset = offset;
+    return false;
+  }
+};
 
 const Json &member(const Json &object, const char *key, const std::string &where) {
   const auto found = object.find(key);
@@ -191,10 +243,14 @@ template <int N> Domain<N> readDomain(const Json &root) {
   return domain;
 }
 
-std::int64_t lineOf(std::string_view text, std::size_t byte) {
-  std::int64_t line = 1;
-  for (std::size_t k = 0; k < byte && k < text.size(); ++k) line += text[k] == '\n' ? 1 : 0;
-  return line;
+Error notJson(std::string_view text, std::size_t offset) {
+  const std::string_view read = text.substr(0, offset);
+  const std::int64_t line = 1 + std::count(read.begin(), read.end(), '\n');
+  const bool cut = offset >= text.size();
+  return {cut ? ErrorCode::fileTruncated : ErrorCode::syntax,
+          "Line " + std::to_string(line) +
+              (cut ? ": the JSON text ends too early; the file may be truncated." : ": this is not JSON."),
+          {{"line", line}}};
 }
 
 } // namespace
@@ -203,7 +259,9 @@ Result<AnyDomain> readJson(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return Error{ErrorCode::fileEmpty, "The file is empty: it should hold a domain in JSON.", {{"line", 1}}};
   try {
-    const Json root = Json::parse(text);
+    Json root;
+    TreeBuilder tree{root};
+    if (!Json::sax_parse(text, &tree)) return notJson(text, tree.errorOffset);
     if (!root.is_object()) refuse(ErrorCode::syntax, "A domain must be a JSON object.");
     const std::string format = textOf(root, "format");
     if (format.rfind("dualblock-domain/", 0) != 0)
@@ -211,20 +269,13 @@ Result<AnyDomain> readJson(std::string_view text) {
     if (format != "dualblock-domain/1")
       refuse(ErrorCode::versionUnknown,
              "\"" + format + "\" is a version this program does not know: it reads \"dualblock-domain/1\".");
-    const Json &dimension = member(root, "dimension", "the domain");
+    const Json &given = member(root, "dimension", "the domain");
+    const double dimension = given.is_number() ? given.get<double>() : 0;
     if (dimension == 2) return AnyDomain(readDomain<2>(root));
     if (dimension == 3) return AnyDomain(readDomain<3>(root));
     refuse(ErrorCode::syntax, "\"dimension\" must be 2 or 3.");
   } catch (const Refusal &refusal) {
     return refusal.error;
-  } catch (const Json::parse_error &e) {
-    const std::int64_t line = lineOf(text, e.byte);
-    const bool cut = e.byte >= text.size();
-    return Error{
-        cut ? ErrorCode::fileTruncated : ErrorCode::syntax,
-        "Line " + std::to_string(line) +
-            (cut ? ": the JSON text ends too early; the file may be truncated." : ": this is not JSON."),
-        {{"line", line}}};
   } catch (const Json::exception &e) {
     return Error{ErrorCode::syntax, std::string("The domain is not well formed: ") + e.what(), {}};
   }
