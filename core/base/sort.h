@@ -13,7 +13,7 @@
 namespace dualblock {
 namespace detail {
 
-inline constexpr std::size_t kFew = 24; // up to which insertion is quicker than merging
+inline constexpr std::size_t kFew = 40; // up to which insertion is quicker than merging
 
 template <typename T, typename Less> void insertionSort(T *items, std::size_t count, Less &less) {
   for (std::size_t i = 1; i < count; ++i) {
@@ -51,6 +51,10 @@ template <typename T, typename Less> void mergeSort(T *items, std::size_t count,
 }
 
 } // namespace detail
+
+template <typename T, typename Less = std::less<>> void sortRange(T *begin, T *end, Less less = {}) {
+  detail::mergeSort(begin, static_cast<std::size_t>(end - begin), less);
+}
 
 template <typename T, typename Less = std::less<>> void sortItems(std::vector<T> &items, Less less = {}) {
   detail::mergeSort(items.data(), items.size(), less);

@@ -9,6 +9,10 @@ BlockMesh<N> layeredBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts, 
                            const Primal<N> &primal) {
   BlockMesh<N> result;
   result.positions = primal.positions;
+  result.blocks.reserve(primal.blocks.size());
+  result.part.reserve(primal.blocks.size());
+  result.tags.reserve(primal.blocks.size());
+  result.surfaces.reserve(primal.blocks.size());
   for (const Block<N> &block : primal.blocks) {
     result.blocks.push_back(block.nodes);
     result.part.push_back(block.part);

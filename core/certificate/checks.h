@@ -24,11 +24,20 @@ struct Pinch {
 /// The blocks' faces, sorted by key, so that the faces of two blocks stand together.
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
-  std::vector<Index> boundary;             // of `faces`: those with one block only
-  std::vector<Index> faceOf;               // per block and local number: index in `faces`
-  std::vector<std::array<Index, 2>> edges; // sorted node pairs, each once
-  std::vector<Index> blocksAtEdge;         // per edge
+  std::vector<Index> boundary; // of `faces`: those with one block only
+  std::vector<Index> faceOf;   // per block and local number: index in `faces`
   std::vector<Pinch> pinches;
+
+  bool areTwins(std::size_t f, std::size_t g) const {
+    for (std::size_t k = 0; k < faces[f].key.size(); ++k) // no call of memcmp for so little
+      if (faces[f].key[k] != faces[g].key[k]) return false;
+    return true;
+  }
+  /// The same face, seen from the other block, or kNone.
+  Index twinOf(std::size_t f) const {
+    if (f > 0 && areTwins(f - 1, f)) return toIndex(f) - 1;
+    return f + 1 < faces.size() && areTwins(f, f + 1) ? toIndex(f) + 1 : kNone;
+  }
 };
 
 /// An edge of the blocks (2D: node) where the blocks around it lie between two patches.

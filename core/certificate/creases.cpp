@@ -30,12 +30,6 @@ template <int N> constexpr auto kAcross = acrossTable<N>();
 /// fan.
 template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const BlockComplex<N> &complex) {
   const auto key = [&](const BlockFace<N> &face) { return in.mesh.sideKey(face.tag); };
-  const auto mateOf = [&](Index f) { // the same face, seen from the other block
-    if (f > 0 && complex.faces[at(f - 1)].key == complex.faces[at(f)].key) return f - 1;
-    if (at(f + 1) < complex.faces.size() && complex.faces[at(f + 1)].key == complex.faces[at(f)].key)
-      return f + 1;
-    return kNone;
-  };
   const auto place = [](const BlockFace<N> &face, Index node) {
     std::size_t k = 0;
     while (face.cycle[k] != node) ++k;
@@ -61,7 +55,7 @@ template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const 
           crease.keys = {key(start), key(face)};
           break;
         }
-        const Index next = mateOf(across);
+        const Index next = complex.twinOf(at(across));
         if (next == kNone) break; // no facet where there is no block: checkFacets says so
         from = &complex.faces[at(next)];
       }

@@ -2,7 +2,7 @@
 // patches are put in order along the domain's curves between them; creases must join neighbours, from end to
 // end.
 #include <limits>
-#include <map>
+#include <span>
 
 #include "base/sort.h"
 #include "certificate/checks.h"
@@ -23,9 +23,17 @@ struct Course {
 };
 
 Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<Index, 2>> &ridges) {
-  std::map<Index, std::vector<std::size_t>> at; // ridges at each node
+  using End = std::pair<Index, std::size_t>; // node, ridge
+  std::vector<End> ends;
   for (std::size_t r = 0; r < ridges.size(); ++r)
-    for (const Index n : ridges[r]) at[n].push_back(r);
+    for (const Index n : ridges[r]) ends.emplace_back(n, r);
+  sortItems(ends);
+  const auto endsAt = [&](Index node) {
+    const auto first = std::lower_bound(ends.begin(), ends.end(), End{node, 0});
+    auto last = first;
+    while (last != ends.end() && last->first == node) ++last;
+    return std::span(first, last);
+  };
   Course course;
   std::vector<bool> used(ridges.size(), false);
   const auto walk = [&](Index start) {
@@ -34,27 +42,24 @@ Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<I
     Index here = start;
     while (true) {
       std::size_t next = ridges.size();
-      for (const std::size_t r : at[here])
+      for (const auto &[node, r] : endsAt(here))
         if (!used[r]) next = std::min(next, r);
       if (next == ridges.size()) break;
       used[next] = true;
       const Index there = ridges[next][0] == here ? ridges[next][1] : ridges[next][0];
-      const Vec<3> a = nodes[dualblock::at(here)];
-      const Vec<3> b = nodes[dualblock::at(there)];
+      const Vec<3> a = nodes[at(here)];
+      const Vec<3> b = nodes[at(there)];
       course.stretches.push_back({a, b, piece, length});
       length += glm::length(b - a);
       here = there;
-      if (here == start || at[here].size() != 2) break;
+      if (here == start || endsAt(here).size() != 2) break;
     }
     course.lengths.push_back(length);
     course.closed.push_back(here == start);
   };
   const auto walkAll = [&](bool fromEnds) {
-    for (const auto &[node, list] : at) {
-      if ((list.size() != 2) != fromEnds) continue;
-      for (const std::size_t r : list)
-        if (!used[r]) walk(node);
-    }
+    for (const auto &[node, r] : ends)
+      if (!used[r] && (endsAt(node).size() != 2) == fromEnds) walk(node);
   };
   walkAll(true);
   walkAll(false);

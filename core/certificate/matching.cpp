@@ -9,12 +9,8 @@
 namespace dualblock {
 namespace {
 
-struct Trace {
-  unsigned nodes; // mask over the face's nodes in ascending order of node number
-  Index surface;
-  bool operator==(const Trace &o) const { return nodes == o.nodes && surface == o.surface; }
-  bool operator<(const Trace &o) const { return nodes != o.nodes ? nodes < o.nodes : surface < o.surface; }
-};
+/// The mask over the face's nodes in ascending order of node number, then the surface, in one number.
+using Trace = std::uint64_t;
 
 template <int N> void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trace> &traces) {
   traces.clear();
@@ -30,7 +26,7 @@ template <int N> void tracesOn(const CertificateInput<N> &in, Index s, int face,
     for (int v = 0; v < N + 1; ++v)
       if (v != face && (c->mask >> v & 1)) mask |= 1U << rank[v];
     if (mask == 0 || mask == (1U << N) - 1) continue; // misses the face, or runs parallel to it
-    traces.push_back({mask, in.surfaces.ofSide[at(c->side)]});
+    traces.push_back(Trace{mask} << 32 | at(in.surfaces.ofSide[at(c->side)]));
   }
   sortItems(traces);
 }

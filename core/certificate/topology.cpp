@@ -1,5 +1,5 @@
 // Check 3: the blocks by themselves form a conformal mesh with the topology of the domain.
-#include <tuple>
+#include <numeric>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
@@ -40,27 +40,42 @@ template <typename Cells> Index nodeComponents(const Cells &cells, std::size_t n
   return countSets(sets, used);
 }
 
+/// How many different pairs of nodes there are. `forEdges(visit)` calls visit(a, b) for each, however often.
+template <typename ForEdges> Index countEdges(std::size_t nodes, ForEdges forEdges) {
+  std::vector<Index> place(nodes + 1, 0); // of the next higher node beside each lower one
+  forEdges([&](Index a, Index b) { ++place[at(std::min(a, b)) + 1]; });
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<Index> ends(at(place.back()));
+  forEdges([&](Index a, Index b) { ends[at(place[at(std::min(a, b))]++)] = std::max(a, b); });
+  std::vector<Index> seenFrom(nodes, kNone);
+  Index count = 0;
+  for (Index a = 0, e = 0; a < toIndex(nodes); ++a)
+    for (; e < place[at(a)]; ++e) {
+      if (seenFrom[at(ends[at(e)])] != a) ++count;
+      seenFrom[at(ends[at(e)])] = a;
+    }
+  return count;
+}
+
 /// nodes - edges + triangles - tetrahedra, counted one by one.
-Index eulerByCounting(const ReferenceMesh<3> &mesh) {
-  std::vector<std::array<Index, 2>> edges;
+Index eulerOf(const ReferenceMesh<3> &mesh) {
   std::vector<bool> used(mesh.nodes.size(), false);
   Index faces = 0;
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
-      const auto &v = mesh.simplices[at(s)];
-      used[at(v[i])] = true;
+      used[at(mesh.simplices[at(s)][i])] = true;
       if (mesh.neighbors[at(s)][i] < s) ++faces; // outer ones, and inner ones from the later simplex
-      for (int k = i + 1; k < 4; ++k) edges.push_back(sortedPair(v[i], v[k]));
     }
-  sortByIndex(edges, mesh.nodes.size(), [](const auto &e) { return e[0]; });
-  const auto last = std::unique(edges.begin(), edges.end());
-  return toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true))) -
-         static_cast<Index>(last - edges.begin()) + faces - mesh.simplexCount();
+  const Index edges = countEdges(mesh.nodes.size(), [&](auto visit) {
+    for (const auto &v : mesh.simplices)
+      for (int i = 0; i < 4; ++i)
+        for (int k = i + 1; k < 4; ++k) visit(v[i], v[k]);
+  });
+  return toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true))) - edges + faces -
+         mesh.simplexCount();
 }
 
-template <int N> Shape shapeOfReference(const BlockInput<N> &in, const BlockComplex<N> &complex) {
-  // chi = nodes - edges + triangles - tetrahedra. Edges are counted by sorting node pairs (3D).
-  const ReferenceMesh<N> &mesh = in.mesh;
+template <int N> Shape shapeOfReference(const ReferenceMesh<N> &mesh) {
   Shape shape;
   Index outer = 0;
   std::vector<std::array<Index, N>> boundary;
@@ -81,27 +96,15 @@ template <int N> Shape shapeOfReference(const BlockInput<N> &in, const BlockComp
     const Index edges = (3 * mesh.simplexCount() + outer) / 2;
     shape.euler = nodes - edges + mesh.simplexCount();
   } else {
-    // A 3-manifold with boundary has half the Euler characteristic of its boundary.
-    if (!complex.pinches.empty()) shape.euler = eulerByCounting(mesh);
-    else {
-      std::vector<bool> used(mesh.nodes.size(), false);
-      Index nodes = 0;
-      std::vector<std::array<Index, 2>> edges;
-      for (const auto &f : boundary)
-        for (int k = 0; k < 3; ++k) {
-          if (!used[at(f[k])]) ++nodes;
-          used[at(f[k])] = true;
-          edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
-        }
-      sortByIndex(edges, mesh.nodes.size(), [](const auto &e) { return e[0]; });
-      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-      shape.euler = (nodes - toIndex(edges.size()) + toIndex(boundary.size())) / 2;
-    }
+    shape.euler = eulerOf(mesh);
   }
   shape.components = nodeComponents(mesh.simplices, mesh.nodes.size());
   shape.shells = nodeComponents(boundary, mesh.nodes.size());
   return shape;
 }
+
+constexpr std::array<std::array<Index, 2>, 12> kHexahedronEdges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 template <int N> Shape shapeOfBlocks(const BlockInput<N> &in, const BlockComplex<N> &complex) {
   Shape shape;
@@ -111,10 +114,17 @@ template <int N> Shape shapeOfBlocks(const BlockInput<N> &in, const BlockComplex
     for (const Index v : b) used[at(v)] = true;
   Index faces = 0;
   for (std::size_t f = 0; f < complex.faces.size(); ++f)
-    if (f == 0 || complex.faces[f].key != complex.faces[f - 1].key) ++faces;
+    if (f == 0 || !complex.areTwins(f - 1, f)) ++faces;
   const Index nodes = toIndex(static_cast<std::size_t>(std::count(used.begin(), used.end(), true)));
   const Index count = toIndex(blocks.size());
-  shape.euler = N == 2 ? nodes - faces + count : nodes - toIndex(complex.edges.size()) + faces - count;
+  shape.euler = nodes - faces + count;
+  if constexpr (N == 3) {
+    const Index edges = countEdges(in.blocks.positions.size(), [&](auto visit) {
+      for (const auto &b : blocks)
+        for (const auto &[u, v] : kHexahedronEdges) visit(b[at(u)], b[at(v)]);
+    });
+    shape.euler = nodes - edges + faces - count;
+  }
   std::vector<std::array<Index, 1 << (N - 1)>> boundary;
   for (const Index f : complex.boundary) boundary.push_back(complex.faces[at(f)].cycle);
   shape.components = nodeComponents(blocks, in.blocks.positions.size());
@@ -125,35 +135,43 @@ template <int N> Shape shapeOfBlocks(const BlockInput<N> &in, const BlockComplex
 /// In 2D there are none: unpinch has doubled them.
 std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
   // Corners of outer faces: two at one node go together where their faces share an edge there.
-  struct Fan {
-    std::array<Index, 2> edge; // node and neighbour
-    Index corner;
+  struct Corner {
+    Pinch pinch;
+    std::array<Index, 2> others; // nodes of the face
   };
-  std::vector<Fan> fans;
-  std::vector<Pinch> corners;
+  std::vector<Corner> corners;
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
       if (mesh.neighbors[at(s)][i] != kNone) continue;
       for (int v = 0; v < 4; ++v) {
         if (v == i) continue;
-        const Index node = mesh.simplices[at(s)][v];
-        for (int w = 0; w < 4; ++w)
-          if (w != i && w != v) fans.push_back({{node, mesh.simplices[at(s)][w]}, toIndex(corners.size())});
-        corners.push_back({node, s});
+        Corner corner{{mesh.simplices[at(s)][v], s}, {}};
+        for (int w = 0, m = 0; w < 4; ++w)
+          if (w != i && w != v) corner.others[at(m++)] = mesh.simplices[at(s)][w];
+        corners.push_back(corner);
       }
     }
+  std::vector<Index> byNode(corners.size());
+  std::iota(byNode.begin(), byNode.end(), 0);
   sortByIndex(
-      fans, mesh.nodes.size(), [](const Fan &f) { return f.edge[0]; },
-      [](const Fan &a, const Fan &b) { return std::tie(a.edge, a.corner) < std::tie(b.edge, b.corner); });
+      byNode, mesh.nodes.size(), [&](Index c) { return corners[at(c)].pinch.node; },
+      [](Index, Index) { return false; });
   DisjointSets sets(corners.size());
-  for (std::size_t f = 0; f + 1 < fans.size(); ++f)
-    if (fans[f].edge == fans[f + 1].edge) sets.unite(fans[f].corner, fans[f + 1].corner);
+  std::vector<Index> last(mesh.nodes.size(), kNone); // corner, at the same node, whose face has this one, too
+  for (const Index c : byNode)
+    for (const Index other : corners[at(c)].others) {
+      Index &before = last[at(other)];
+      if (before != kNone && corners[at(before)].pinch.node == corners[at(c)].pinch.node)
+        sets.unite(before, c);
+      before = c;
+    }
   std::vector<bool> seen(mesh.nodes.size(), false);
   std::vector<Pinch> pinches;
   for (Index c = 0; c < toIndex(corners.size()); ++c) {
     if (sets.find(c) != c) continue;
-    if (seen[at(corners[at(c)].node)]) pinches.push_back(corners[at(c)]);
-    seen[at(corners[at(c)].node)] = true;
+    const Pinch &pinch = corners[at(c)].pinch;
+    if (seen[at(pinch.node)]) pinches.push_back(pinch);
+    seen[at(pinch.node)] = true;
   }
   return pinches;
 }
@@ -161,51 +179,45 @@ std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
 } // namespace
 
 template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &in) {
-  static constexpr int kEdges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                        {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   BlockComplex<N> complex;
   if constexpr (N == 3) complex.pinches = findPinches(in.mesh);
-  std::vector<std::array<Index, 2>> edges;
-  complex.faces.reserve(2 * N * in.blocks.blocks.size());
-  edges.reserve((N == 3 ? 12 : 4) * in.blocks.blocks.size());
-  for (Index b = 0; b < toIndex(in.blocks.blocks.size()); ++b) {
-    const auto &block = in.blocks.blocks[at(b)];
+  // Each face goes straight to its place among those with the same lowest node.
+  const auto &blocks = in.blocks.blocks;
+  const auto cycleOf = [&](std::size_t b, int f) {
+    std::array<Index, 1 << (N - 1)> cycle;
+    for (std::size_t k = 0; k < cycle.size(); ++k)
+      cycle[k] = blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
+    return cycle;
+  };
+  std::vector<std::size_t> place(in.blocks.positions.size() + 1, 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (int f = 0; f < 2 * N; ++f) {
+      const auto cycle = cycleOf(b, f);
+      ++place[at(*std::min_element(cycle.begin(), cycle.end())) + 1];
+    }
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  complex.faces.resize(place.back());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
     for (int f = 0; f < 2 * N; ++f) {
       BlockFace<N> face;
-      for (std::size_t k = 0; k < face.cycle.size(); ++k)
-        face.cycle[k] = block[at(faceCorner<N>(f, static_cast<int>(k)))];
-      face.key = face.cycle;
+      face.key = face.cycle = cycleOf(b, f);
       sortItems(face.key);
-      face.block = b;
+      face.block = toIndex(b);
       face.local = f;
-      face.tag = in.blocks.tags[at(b)][at(f)];
-      complex.faces.push_back(face);
+      face.tag = in.blocks.tags[b][at(f)];
+      complex.faces[place[at(face.key[0])]++] = face;
     }
-    for (const auto &[u, v] : kEdges) {
-      if (N == 2 && std::max(u, v) > 3) continue;
-      edges.push_back(sortedPair(block[at(u)], block[at(v)]));
-    }
-  }
-  sortByIndex(
-      complex.faces, in.blocks.positions.size(), [](const BlockFace<N> &f) { return f.key[0]; },
-      [](const BlockFace<N> &a, const BlockFace<N> &b) {
-        return std::tie(a.key, a.block) < std::tie(b.key, b.block);
-      });
+  for (std::size_t node = 0, begin = 0; node + 1 < place.size(); begin = place[node++])
+    sortRange(complex.faces.data() + begin, complex.faces.data() + place[node],
+              [](const BlockFace<N> &a, const BlockFace<N> &b) {
+                for (std::size_t k = 1; k < a.key.size(); ++k)
+                  if (a.key[k] != b.key[k]) return a.key[k] < b.key[k];
+                return a.block < b.block;
+              });
   complex.faceOf.resize(complex.faces.size());
-  for (std::size_t f = 0; f < complex.faces.size(); ++f)
-    complex.faceOf[at(2 * N * complex.faces[f].block + complex.faces[f].local)] = toIndex(f);
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
-    const bool before = f > 0 && complex.faces[f - 1].key == complex.faces[f].key;
-    const bool after = f + 1 < complex.faces.size() && complex.faces[f + 1].key == complex.faces[f].key;
-    if (!before && !after) complex.boundary.push_back(toIndex(f));
-  }
-  sortByIndex(edges, in.blocks.positions.size(), [](const auto &e) { return e[0]; });
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (e == 0 || edges[e] != edges[e - 1]) {
-      complex.edges.push_back(edges[e]);
-      complex.blocksAtEdge.push_back(0);
-    }
-    ++complex.blocksAtEdge.back();
+    complex.faceOf[at(2 * N * complex.faces[f].block + complex.faces[f].local)] = toIndex(f);
+    if (complex.twinOf(f) == kNone) complex.boundary.push_back(toIndex(f));
   }
   return complex;
 }
@@ -222,9 +234,9 @@ void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
   std::vector<std::array<Index, 2>> pairs; // blocks that share a face
   pairs.reserve(complex.faces.size() / 2);
   for (std::size_t f = 0; f + 1 < complex.faces.size(); ++f) {
-    if (complex.faces[f].key != complex.faces[f + 1].key) continue;
+    if (!complex.areTwins(f, f + 1)) continue;
     pairs.push_back({complex.faces[f].block, complex.faces[f + 1].block});
-    if (f + 2 < complex.faces.size() && complex.faces[f].key == complex.faces[f + 2].key)
+    if (f + 2 < complex.faces.size() && complex.areTwins(f, f + 2))
       certificate.fail(Check::topology, "three blocks share a face",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
   }
@@ -250,7 +262,7 @@ void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
       certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold",
                        {{"node", ridges[begin][0]}});
   }
-  const Shape reference = shapeOfReference(in, complex);
+  const Shape reference = shapeOfReference(in.mesh);
   const Shape blocks = shapeOfBlocks(in, complex);
   if (!(reference == blocks))
     certificate.fail(Check::topology,
