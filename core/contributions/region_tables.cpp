@@ -99,6 +99,13 @@ template <int N> typename RegionTables<N>::Classes RegionTables<N>::classes(Cont
       result.steps.push_back(
           {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(mask)});
     }
+  for (const auto &a : result.steps)
+    for (const auto &b : result.steps) {
+      if (a.inner != b.inner || a.mask >= b.mask) continue;
+      const unsigned far = result.inside[a.outer] & ~unsigned{contributionBit(b.mask)};
+      if (std::find(result.inside.begin(), result.inside.end(), far) != result.inside.end())
+        result.crossings.push_back({a.inner, a.mask, b.mask});
+    }
   return result;
 }
 

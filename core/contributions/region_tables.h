@@ -45,6 +45,11 @@ public:
       std::uint8_t mask;
     };
     std::vector<Step> steps;
+    struct Crossing {
+      std::uint8_t inner;        // the class inside of both contributions
+      std::uint8_t maskA, maskB; // ascending
+    };
+    std::vector<Crossing> crossings; // where all four classes around two contributions exist
   };
 
   /// The classes for a set of present contributions.

@@ -82,24 +82,21 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   dual.pieceOf = sets.numbering(pieceCount);
 
   // Their labels, and their order by label.
-  std::vector<CellPiece<N>> unordered(at(pieceCount), {kNone, {}, kNone});
+  dual.pieces.assign(at(pieceCount), {kNone, {}, kNone});
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
-      CellPiece<N> &piece = unordered[at(dual.pieceOf[at(c)])];
+      CellPiece<N> &piece = dual.pieces[at(dual.pieceOf[at(c)])];
       if (piece.part != kNone) continue;
       piece.part = parts.partOfSimplex[at(s)];
+      piece.cell = dual.pieceOf[at(c)]; // for now its number before sorting
       const ContributionSet inside = cache[contributions.present[at(s)]].inside[at(c - offset[at(s)])];
       if (!labelOf<N>(contributions, s, inside, piece.sides)) dual.overfull = true;
     }
-  std::vector<Index> order(unordered.size());
-  std::iota(order.begin(), order.end(), 0);
   sortByIndex(
-      order, parts.parts.size(), [&](Index p) { return unordered[at(p)].part; },
-      [&](Index a, Index b) { return labelLess(unordered[at(a)], unordered[at(b)]); });
-  std::vector<Index> rank(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    rank[at(order[k])] = toIndex(k);
-    dual.pieces.push_back(unordered[at(order[k])]);
+      dual.pieces, parts.parts.size(), [](const CellPiece<N> &piece) { return piece.part; }, labelLess<N>);
+  std::vector<Index> rank(dual.pieces.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) {
+    rank[at(dual.pieces[k].cell)] = toIndex(k);
     if (k > 0 && !labelLess(dual.pieces[k - 1], dual.pieces[k])) dual.surplus.push_back(toIndex(k));
   }
   for (Index &piece : dual.pieceOf) piece = rank[at(piece)];

@@ -7,25 +7,28 @@
 namespace dualblock {
 namespace {
 
-bool operator<(const PrimalEdge &a, const PrimalEdge &b) {
-  return std::tie(a.nodes, a.surface) < std::tie(b.nodes, b.surface);
+/// Two indices in one number, which orders as they do.
+std::uint64_t packed(Index a, Index b) { return std::uint64_t{at(a)} << 32 | at(b); }
+
+auto keyOf(const PrimalEdge &e) {
+  return std::array{packed(e.nodes[0], e.nodes[1]), std::uint64_t{at(e.surface)}};
 }
-bool operator==(const PrimalEdge &a, const PrimalEdge &b) {
-  return a.nodes == b.nodes && a.surface == b.surface;
+auto keyOf(const PrimalFace &f) {
+  return std::array{packed(f.nodes[0], f.nodes[1]), packed(f.nodes[2], f.nodes[3]),
+                    packed(f.surfaces[0], f.surfaces[1])};
 }
-bool operator<(const PrimalFace &a, const PrimalFace &b) {
-  return std::tie(a.nodes, a.surfaces) < std::tie(b.nodes, b.surfaces);
-}
-bool operator==(const PrimalFace &a, const PrimalFace &b) {
-  return a.nodes == b.nodes && a.surfaces == b.surfaces;
+
+template <typename T> bool areEqual(const std::vector<T> &a, const std::vector<T> &b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const T &x, const T &y) { return keyOf(x) == keyOf(y); });
 }
 
 template <typename T> void sortUnique(std::vector<T> &items, Index nodeCount) {
   sortByIndex(
       items, at(nodeCount), [](const T &item) { return item.nodes[0]; },
-      [](const T &a, const T &b) { return a < b; });
-  items.erase(std::unique(items.begin(), items.end(), [](const T &a, const T &b) { return a == b; }),
-              items.end());
+      [](const T &a, const T &b) { return keyOf(a) < keyOf(b); });
+  const auto isSame = [](const T &a, const T &b) { return keyOf(a) == keyOf(b); };
+  items.erase(std::unique(items.begin(), items.end(), isSame), items.end());
 }
 
 PrimalEdge makeEdge(Index a, Index b, Index surface) { return {{std::min(a, b), std::max(a, b)}, surface}; }
@@ -37,8 +40,8 @@ PrimalFace makeFace(std::array<Index, 4> cycle, Index surfaceA, Index surfaceB) 
   return {cycle, {std::min(surfaceA, surfaceB), std::max(surfaceA, surfaceB)}};
 }
 
-/// Edges and faces met while walking over the contributions, noted at the piece with the longer label so
-/// that each is kept once, however many simplices show it.
+/// Edges and faces met while walking over the contributions, or over the blocks, noted at the piece with the
+/// longer label so that each is kept once, however many simplices or blocks show it.
 template <int N> class DualWalk {
 public:
   DualWalk(const DualCells<N> &dual, const DualSurfaces &surfaces)
@@ -63,6 +66,9 @@ public:
     faceSeen_[at(inner)] =
         static_cast<std::uint16_t>(faceSeen_[at(inner)] | 1U << (a * N + b) | 1U << (b * N + a));
   }
+
+  bool hasEdgesOf(const DualWalk &o) const { return edgeTo_ == o.edgeTo_; }
+  bool hasFacesOf(const DualWalk &o) const { return faceSeen_ == o.faceSeen_; }
 
   std::vector<PrimalEdge> edges() const {
     std::vector<PrimalEdge> list;
@@ -121,35 +127,39 @@ private:
 template <int N>
 void walkContributions(const Contributions<N> &contributions, const DualCells<N> &dual, DualWalk<N> &walk) {
   ClassCache<N> cache;
-  std::array<std::vector<Index>, std::size_t{1} << (N + 1)> sidesOf; // per mask
+  struct Sides {
+    int count;
+    Index first, second;
+  };
+  std::array<Sides, std::size_t{1} << (N + 1)> sidesOf; // per mask
   for (Index s = 0; s < contributions.ofSimplex.count(); ++s) {
     const ContributionSet present = contributions.present[at(s)];
     if (present == 0) continue;
-    for (auto &list : sidesOf) list.clear();
+    sidesOf.fill({0, kNone, kNone});
     for (const Contribution *c = contributions.ofSimplex.begin(s); c != contributions.ofSimplex.end(s); ++c)
-      sidesOf[c->mask].push_back(c->side);
+      if (Sides &sides = sidesOf[c->mask]; sides.count++ == 0) sides.first = c->side;
+      else sides.second = c->side;
     const auto &classes = cache[present];
     const Index offset = dual.classOffset[at(s)];
     for (const auto &step : classes.steps) {
       const Index inner = dual.pieceOf[at(offset + step.inner)];
       const Index outer = dual.pieceOf[at(offset + step.outer)];
-      const std::vector<Index> &sides = sidesOf[step.mask];
-      if (sides.size() == 1) walk.meetEdge(inner, outer, sides[0]);
-      if (sides.size() == 2) walk.meetFace(inner, sides[0], sides[1]); // soft: two surfaces cross here
-      // Two hard contributions cross where all four classes around the crossing exist.
-      for (const auto &other : classes.steps) {
-        if (other.inner != step.inner || other.mask <= step.mask) continue;
-        const ContributionSet far = classes.inside[step.outer] & ~contributionBit(other.mask);
-        if (std::find(classes.inside.begin(), classes.inside.end(), far) == classes.inside.end()) continue;
-        if (sides.size() == 1 && sidesOf[other.mask].size() == 1)
-          walk.meetFace(inner, sides[0], sidesOf[other.mask][0]);
-      }
+      const Sides &sides = sidesOf[step.mask];
+      if (sides.count == 1) walk.meetEdge(inner, outer, sides.first);
+      if (sides.count == 2) walk.meetFace(inner, sides.first, sides.second); // soft: two surfaces cross here
+    }
+    for (const auto &crossing : classes.crossings) { // of two hard contributions
+      const Sides &a = sidesOf[crossing.maskA];
+      const Sides &b = sidesOf[crossing.maskB];
+      if (a.count == 1 && b.count == 1)
+        walk.meetFace(dual.pieceOf[at(offset + crossing.inner)], a.first, b.first);
     }
   }
 }
 
 /// Two D-bar-surfaces may also cross on a face of the reference mesh: their traces there are one (paper 4.3,
-/// case iii), and of the two the one inside on the left is the one outside on the right.
+/// case iii), and of the two the one inside on the left is the one outside on the right. That shows from
+/// either side of the face.
 template <int N>
 void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &contributions,
                       const DualCells<N> &dual, DualWalk<N> &walk) {
@@ -181,11 +191,13 @@ void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &cont
     const Contribution *const end = contributions.ofSimplex.end(s);
     for (int i = 0; i < N + 1; ++i) {
       const Index t = mesh.neighbors[at(s)][i];
-      if (t == kNone || mesh.tags[at(s)][i] != kNone || contributions.ofSimplex.size(t) < 2) continue;
+      if (t < s || mesh.tags[at(s)][i] != kNone || contributions.ofSimplex.size(t) < 2) continue;
       const unsigned apex = 1U << i;
       const unsigned face = RegionTables<N>::kFullMask & ~apex;
       for (const Contribution *in = contributions.ofSimplex.begin(s); in != end; ++in) {
-        if ((in->mask & apex) || (in->mask & face) == face) continue;
+        if ((in->mask & apex) || (in->mask & face) == face ||
+            !(contributions.present[at(s)] & contributionBit(in->mask | apex)))
+          continue;
         for (const Contribution *out = contributions.ofSimplex.begin(s); out != end; ++out) {
           if (out->mask != (in->mask | apex)) continue;
           const unsigned apexThere = 1U << mesh.mirrorFace(s, i);
@@ -211,48 +223,39 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
       primal.nodePiece[at(dual.pieces[p].cell)] = toIndex(p);
 
   // From the blocks.
-  std::vector<PrimalEdge> blockEdges;
-  std::vector<PrimalFace> blockFaces;
+  DualWalk<N> blockWalk(dual, surfaces);
   primal.blocks.reserve(parts.corners.size());
-  blockEdges.reserve((N << (N - 1)) * parts.corners.size());
-  blockFaces.reserve((N == 3 ? 6 : 1) * parts.corners.size());
   for (const Corner &corner : parts.corners) {
     if (corner.sides.size() != N) continue;
     Block<N> block{corner.part, {}, {}};
     std::copy(corner.sides.begin(), corner.sides.end(), block.sides.begin());
-    std::array<Index, 1 << N> byBits;
+    std::array<Index, 1 << N> byBits; // pieces
     bool complete = true;
     for (unsigned bits = 0; bits < 1U << N; ++bits) {
       std::array<Index, N> label;
       label.fill(kNone);
       for (int k = 0, m = 0; k < N; ++k)
         if (bits >> k & 1) label[at(m++)] = block.sides[at(k)];
-      const Index piece = dual.findPiece(corner.part, label);
-      complete &= piece != kNone;
-      byBits[bits] = piece == kNone ? kNone : dual.pieces[at(piece)].cell;
+      byBits[bits] = dual.findPiece(corner.part, label);
+      complete &= byBits[bits] != kNone;
     }
     if (!complete) {
       primal.faults.push_back("the corner of part " + std::to_string(corner.part) + " at node " +
                               std::to_string(corner.node) + " has no D-bar-node");
       continue;
     }
-    for (std::size_t k = 0; k < block.nodes.size(); ++k) block.nodes[k] = byBits[kBlockBits<N>[k]];
+    for (std::size_t k = 0; k < block.nodes.size(); ++k)
+      block.nodes[k] = dual.pieces[at(byBits[kBlockBits<N>[k]])].cell;
     primal.blocks.push_back(block);
     for (unsigned bits = 0; bits < 1U << N; ++bits)
       for (int i = 0; i < N; ++i) {
         if (bits >> i & 1) continue;
-        const Index surface = surfaces.ofSide[at(block.sides[at(i)])];
-        blockEdges.push_back(makeEdge(byBits[bits], byBits[bits | 1U << i], surface));
-        for (int k = i + 1; k < N; ++k) {
-          if (bits >> k & 1) continue;
-          blockFaces.push_back(makeFace({byBits[bits], byBits[bits | 1U << i],
-                                         byBits[bits | 1U << i | 1U << k], byBits[bits | 1U << k]},
-                                        surface, surfaces.ofSide[at(block.sides[at(k)])]));
-        }
+        blockWalk.meetEdge(byBits[bits | 1U << i], byBits[bits], block.sides[at(i)]);
+        for (int k = i + 1; k < N; ++k)
+          if (!(bits >> k & 1))
+            blockWalk.meetFace(byBits[bits | 1U << i | 1U << k], block.sides[at(i)], block.sides[at(k)]);
       }
   }
-  sortUnique(blockEdges, primal.nodeCount);
-  sortUnique(blockFaces, primal.nodeCount);
 
   // From the dual.
   DualWalk<N> walk(dual, surfaces);
@@ -261,11 +264,10 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   primal.edges = walk.edges();
   primal.faces = walk.faces();
   if (walk.torn) primal.faults.push_back("two D-bar-cells stand on one side of the same D-bar-face");
-  if (!std::equal(primal.edges.begin(), primal.edges.end(), blockEdges.begin(), blockEdges.end(),
-                  [](const PrimalEdge &a, const PrimalEdge &b) { return a == b; }))
+  // Piece by piece they mostly are the same; if not, one part may still show what another one does not.
+  if (!walk.hasEdgesOf(blockWalk) && !areEqual(primal.edges, blockWalk.edges()))
     primal.faults.push_back("the edges of the blocks are not those that hard contributions give");
-  if (!std::equal(primal.faces.begin(), primal.faces.end(), blockFaces.begin(), blockFaces.end(),
-                  [](const PrimalFace &a, const PrimalFace &b) { return a == b; }))
+  if (!walk.hasFacesOf(blockWalk) && !areEqual(primal.faces, blockWalk.faces()))
     primal.faults.push_back("the faces of the blocks are not those that crossing D-bar-surfaces give");
   return primal;
 }
