@@ -56,7 +56,7 @@ private:
                                           });
       if (curve == parts_.curves.end() || curve->part != piece.part || curve->sides != sides)
         return mean(piece, [&](const Corner &c) { return holdsAll(c, piece); });
-      segments = curve->ridges;
+      segments.assign(curve->ridges.begin(), curve->ridges.end());
     }
     return chainMidpoint<N>(mesh_.nodes, segments);
   }

@@ -99,7 +99,7 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
 std::optional<Proposal> betweenCorners(const PartView &v) {
   std::map<std::vector<Index>, const Corner *> known;
   for (const Corner *corner : v.corners) {
-    const auto [other, isNew] = known.emplace(corner->sides, corner);
+    const auto [other, isNew] = known.try_emplace({corner->sides.begin(), corner->sides.end()}, corner);
     if (isNew) continue;
     const Vec<3> a = v.node(other->second->node);
     const Vec<3> b = v.node(corner->node);

@@ -62,16 +62,16 @@ std::array<Index, N - 1> ridgeNodes(const ReferenceMesh<N> &mesh, const FaceRef<
   return ridge;
 }
 
-/// How the face f of a part and its mate meet at the ridge of f without vertex k, from the planes of their
-/// surfaces; only the sense of turning comes from the simplex.
+/// How the face f of a part and its mate meet at a ridge, which f has without vertex k, from the planes of
+/// their surfaces; only the sense of turning comes from the simplex.
 template <int N>
-RidgeFrame<N> frameAt(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k, const FaceRef<N> &mate) {
+RidgeFrame<N> frameAt(const ReferenceMesh<N> &mesh, const FaceRef<N> &f, int k,
+                      const std::array<Index, N - 1> &ridge, const FaceRef<N> &mate) {
   RidgeFrame<N> frame;
   frame.tags = {mesh.tags[at(f.simplex)][f.face], mesh.tags[at(mate.simplex)][mate.face]};
   frame.outward = mesh.outwardNormal(f.simplex, f.face);
   const Vec<N> mateOutward = mesh.outwardNormal(mate.simplex, mate.face);
   const auto &s = mesh.simplices[at(f.simplex)];
-  const std::array<Index, N - 1> ridge = ridgeNodes(mesh, f, k);
   if constexpr (N == 2) {
     frame.into = {-frame.outward.y, frame.outward.x};
   } else {
@@ -90,83 +90,98 @@ template <int N> double ridgeLength(const ReferenceMesh<N> &mesh, const std::arr
   else return glm::length(mesh.nodes[at(ridge[1])] - mesh.nodes[at(ridge[0])]);
 }
 
-template <int N> struct RidgeRecord {
-  std::array<Index, 2> sides;
-  std::array<Index, N - 1> nodes;
-  Index face; // the boundary face on the first side, and its vertex off the ridge
-  int off;
-};
+/// Whether ridges make up one open chain: two nodes used once, all others twice, and nodes = ridges + 1.
+template <int N> bool isOpenChain(std::span<const std::array<Index, N - 1>> ridges) {
+  if (N == 2 || ridges.size() == 1) return ridges.size() == 1;
+  std::vector<Index> ends;
+  for (const auto &ridge : ridges) ends.insert(ends.end(), ridge.begin(), ridge.end());
+  sortItems(ends);
+  std::size_t single = 0;
+  std::size_t distinct = 0;
+  for (std::size_t b = 0, e = 0; b < ends.size(); b = e) {
+    while (e < ends.size() && ends[e] == ends[b]) ++e;
+    ++distinct;
+    if (e - b == 1) ++single;
+    if (e - b > 2) return false;
+  }
+  return single == 2 && distinct == ridges.size() + 1;
+}
 
 /// Groups the ridges between different sides into curves and decides which are open chains.
 template <int N>
-std::vector<Curve<N>> buildCurves(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
-                                  const BoundaryFaces<N> &boundary, std::vector<RidgeRecord<N>> &records) {
-  // Sides are numbered part by part.
-  sortByIndex(
-      records, parts.sides.size(), [](const RidgeRecord<N> &r) { return r.sides[0]; },
-      [](const RidgeRecord<N> &a, const RidgeRecord<N> &b) {
-        return std::tie(a.sides, a.nodes) < std::tie(b.sides, b.nodes);
-      });
-  std::vector<Curve<N>> curves;
-  std::vector<Index> ends;
-  for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
-    const RidgeRecord<N> &first = records[begin];
-    while (end < records.size() && records[end].sides == first.sides) ++end;
-    Curve<N> curve{parts.sides[at(first.sides[0])].part, first.sides, {}, {}, 0, true};
-    curve.ridges.reserve(end - begin);
-    curve.frames.reserve(end - begin);
-    double longest = -1;
-    ends.clear();
-    for (std::size_t k = begin; k < end; ++k) {
-      const RidgeRecord<N> &r = records[k];
-      const Index mate = boundary.mates[at(r.face)][r.off];
-      curve.ridges.push_back(r.nodes);
-      curve.frames.push_back(frameAt(mesh, boundary.faces[at(r.face)], r.off, boundary.faces[at(mate)]));
-      ends.insert(ends.end(), r.nodes.begin(), r.nodes.end());
-      const double length = ridgeLength<N>(mesh, r.nodes);
-      if (length > longest) { // short ridges have the worst rounding
-        longest = length;
-        curve.angle = curve.frames.back().angle;
+void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
+                 const std::vector<Index> &sideOf, Parts<N> &parts, FeatureStore<N> &store) {
+  struct Record {
+    Index other; // side
+    std::array<Index, N - 1> nodes;
+    Index face; // the boundary face on the first side, and its vertex off the ridge
+    int off;
+  };
+  store.ridges.reserve(boundary.faces.size() * N); // enough for the spans to stay where they are
+  std::vector<Record> records;                     // of one side
+  std::vector<std::size_t> framed;                 // curves with frames
+  for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
+    records.clear();
+    for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
+      const Index face = boundary.indexOf[at(f->simplex)][f->face];
+      for (int k = 0; k < N + 1; ++k) {
+        if (k == f->face) continue;
+        const Index other = sideOf[at(boundary.mates[at(face)][k])];
+        if (other > side) records.push_back({other, ridgeNodes(mesh, *f, k), face, k});
       }
     }
-    if constexpr (N == 3) {
-      // One open chain: two nodes used once, all others twice, and nodes = ridges + 1.
-      sortItems(ends);
-      std::size_t single = 0;
-      std::size_t distinct = 0;
-      bool branched = false;
-      for (std::size_t b = 0, e = 0; b < ends.size(); b = e) {
-        while (e < ends.size() && ends[e] == ends[b]) ++e;
-        ++distinct;
-        if (e - b == 1) ++single;
-        if (e - b > 2) branched = true;
+    sortItems(records, [](const Record &a, const Record &b) {
+      return a.other != b.other ? a.other < b.other : a.nodes < b.nodes;
+    });
+    for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
+      Curve<N> curve{parts.sides[at(side)].part, {side, records[begin].other}};
+      const auto frameOf = [&](const Record &r) {
+        return frameAt(mesh, boundary.faces[at(r.face)], r.off, r.nodes,
+                       boundary.faces[at(boundary.mates[at(r.face)][r.off])]);
+      };
+      const std::size_t first = store.ridges.size();
+      std::size_t longest = begin; // short ridges have the worst rounding
+      double most = -1;
+      for (; end < records.size() && records[end].other == curve.sides[1]; ++end) {
+        store.ridges.push_back(records[end].nodes);
+        const double length = ridgeLength<N>(mesh, records[end].nodes);
+        if (length <= most) continue;
+        most = length;
+        longest = end;
       }
-      curve.open = single == 2 && !branched && distinct == curve.ridges.size() + 1;
-    } else {
-      curve.open = curve.ridges.size() == 1;
+      curve.ridges = {store.ridges.data() + first, end - begin};
+      curve.angle = frameOf(records[longest]).angle;
+      curve.open = isOpenChain<N>(curve.ridges);
+      if (curve.angle > kFlatAngle) {
+        framed.push_back(parts.curves.size());
+        for (std::size_t k = begin; k < end; ++k) store.frames.push_back(frameOf(records[k]));
+      }
+      parts.curves.push_back(curve);
     }
-    curves.push_back(std::move(curve));
   }
-  return curves;
+  const RidgeFrame<N> *next = store.frames.data();
+  for (const std::size_t c : framed) {
+    parts.curves[c].frames = {next, parts.curves[c].ridges.size()};
+    next += parts.curves[c].ridges.size();
+  }
 }
 
-template <int N> std::vector<Corner> buildCorners(const Parts<N> &parts, Index nodeCount) {
-  std::vector<Corner> corners;
-  for (Index node = 0; node < nodeCount; ++node) {
-    const Index *list = parts.nodeSides.begin(node);
-    const Index *const last = parts.nodeSides.end(node);
+template <int N> void buildCorners(Parts<N> &parts, FeatureStore<N> &store) {
+  store.cornerSides = parts.nodeSides.items;
+  for (Index node = 0; node < parts.nodeSides.count(); ++node) {
+    const Index *list = store.cornerSides.data() + parts.nodeSides.offsets[at(node)];
+    const Index *const last = list + parts.nodeSides.size(node);
     while (list != last) { // sides are numbered part by part, so one part's sides stand together
       const Index part = parts.sides[at(*list)].part;
       const Index *next = list;
       while (next != last && parts.sides[at(*next)].part == part) ++next;
-      if (next - list >= N) corners.push_back({part, node, std::vector<Index>(list, next)});
+      if (next - list >= N) parts.corners.push_back({part, node, {list, next}});
       list = next;
     }
   }
   sortByIndex(
-      corners, parts.parts.size(), [](const Corner &c) { return c.part; },
+      parts.corners, parts.parts.size(), [](const Corner &c) { return c.part; },
       [](const Corner &a, const Corner &b) { return a.part < b.part; });
-  return corners;
 }
 
 /// Euler characteristic of each side as a complex of its faces, ridges and nodes.
@@ -310,35 +325,31 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
     parts.partSides.closeList();
   }
 
-  // Node to sides, by a counting sort over the boundary faces of each side in turn.
-  std::vector<std::pair<Index, Index>> incidences;
-  incidences.reserve(boundary.faces.size() * N);
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-    for (int v = 0; v < N + 1; ++v)
-      if (v != boundary.faces[f].face)
-        incidences.emplace_back(mesh.simplices[at(boundary.faces[f].simplex)][v], sideOf[f]);
-  sortByIndex(incidences, mesh.nodes.size(), [](const auto &i) { return i.first; });
-  incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
-  std::size_t next = 0;
-  for (Index node = 0; node < mesh.nodeCount(); ++node) {
-    for (; next < incidences.size() && incidences[next].first == node; ++next)
-      parts.nodeSides.items.push_back(incidences[next].second);
-    parts.nodeSides.closeList();
-  }
+  // Node to sides: counted, then noted, side by side.
+  auto &nodeSides = parts.nodeSides;
+  nodeSides.offsets.assign(mesh.nodes.size() + 1, 0);
+  std::vector<Index> seenFrom(mesh.nodes.size(), kNone);
+  const auto forIncidences = [&](auto visit) {
+    for (Index side = 0; side < toIndex(parts.sides.size()); ++side)
+      for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f)
+        for (int v = 0; v < N + 1; ++v)
+          if (const Index node = mesh.simplices[at(f->simplex)][v];
+              v != f->face && seenFrom[at(node)] != side) {
+            seenFrom[at(node)] = side;
+            visit(node, side);
+          }
+  };
+  forIncidences([&](Index node, Index) { ++nodeSides.offsets[at(node) + 1]; });
+  for (std::size_t v = 0; v < mesh.nodes.size(); ++v) nodeSides.offsets[v + 1] += nodeSides.offsets[v];
+  nodeSides.items.resize(at(nodeSides.offsets.back()));
+  cursor.assign(nodeSides.offsets.begin(), nodeSides.offsets.end() - 1);
+  seenFrom.assign(mesh.nodes.size(), kNone);
+  forIncidences([&](Index node, Index side) { nodeSides.items[at(cursor[at(node)]++)] = side; });
 
-  // Curves and corners.
-  std::vector<RidgeRecord<N>> records;
-  records.reserve(boundary.faces.size() / 2);
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-    for (int k = 0; k < N + 1; ++k) {
-      if (k == boundary.faces[f].face) continue;
-      const Index mate = boundary.mates[f][k];
-      if (sideOf[f] >= sideOf[at(mate)]) continue; // each ridge is met from both of its faces
-      records.push_back(
-          {{sideOf[f], sideOf[at(mate)]}, ridgeNodes(mesh, boundary.faces[f], k), toIndex(f), k});
-    }
-  parts.curves = buildCurves(mesh, parts, boundary, records);
-  parts.corners = buildCorners(parts, mesh.nodeCount());
+  const auto store = std::make_shared<FeatureStore<N>>();
+  buildCurves(mesh, boundary, sideOf, parts, *store);
+  buildCorners(parts, *store);
+  parts.store = store;
   linkOpposites(mesh, parts, boundary, sideOf);
   judgeParts(parts, boundary, sideOf);
   return parts;

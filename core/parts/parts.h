@@ -3,6 +3,9 @@
 // and corners are the domain's own features.
 #pragma once
 
+#include <memory>
+#include <numbers>
+#include <span>
 #include <string>
 
 #include "reference/reference_mesh.h"
@@ -27,18 +30,22 @@ template <int N> struct RidgeFrame {
 /// The faces of a part where two of its sides meet: a chain of ridges (3D), one node (2D).
 template <int N> struct Curve {
   Index part;
-  std::array<Index, 2> sides;                   // ascending
-  std::vector<std::array<Index, N - 1>> ridges; // node lists, in the order found
-  std::vector<RidgeFrame<N>> frames;            // per ridge
-  double angle;                                 // inside the part, at the longest ridge, radians
-  bool open;                                    // a chain with two ends that are corners (2D: always)
+  std::array<Index, 2> sides;                         // ascending
+  std::span<const std::array<Index, N - 1>> ridges{}; // node lists, ascending
+  std::span<const RidgeFrame<N>> frames{};            // per ridge, where the angle is above kFlatAngle
+  double angle = 0;                                   // inside the part, at the longest ridge, radians
+  bool open = true;                                   // a chain with two ends that are corners (2D: always)
 };
+
+/// Radians: a block cannot fill a flat corner, and badly what is nearly flat. Cuts go through curves above
+/// it.
+inline constexpr double kFlatAngle = 170 * std::numbers::pi / 180;
 
 /// A node where at least N sides of a part meet.
 struct Corner {
   Index part;
   Index node;
-  std::vector<Index> sides; // ascending
+  std::span<const Index> sides; // ascending
 };
 
 struct PartInfo {
@@ -47,15 +54,24 @@ struct PartInfo {
   Index region;
 };
 
+/// What the curves and corners of parts consist of, one after the other: there are too many of them to have
+/// vectors of their own.
+template <int N> struct FeatureStore {
+  std::vector<std::array<Index, N - 1>> ridges;
+  std::vector<RidgeFrame<N>> frames;
+  std::vector<Index> cornerSides;
+};
+
 template <int N> struct Parts {
   std::vector<PartInfo> parts;
   std::vector<Index> partOfSimplex;
   std::vector<Side> sides;
-  Lists<FaceRef<N>> sideFaces;  // per side
-  Lists<Index> nodeSides;       // per node: all sides it lies on, of any part, ascending
-  std::vector<Curve<N>> curves; // by part, then sides
-  std::vector<Corner> corners;  // by part, then node
-  Lists<Index> partSides;       // per part
+  Lists<FaceRef<N>> sideFaces;                  // per side
+  Lists<Index> nodeSides;                       // per node: all sides it lies on, of any part, ascending
+  std::vector<Curve<N>> curves;                 // by part, then sides
+  std::vector<Corner> corners;                  // by part, then node
+  Lists<Index> partSides;                       // per part
+  std::shared_ptr<const FeatureStore<N>> store; // of curves and corners; copies share it
 };
 
 struct PartOptions {
