@@ -69,6 +69,12 @@ private:
 
 template <int N>
 Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::array<Index, 2>> &segments) {
+  if (segments.size() == 1) {
+    const auto [a, b] = sortedPair(segments[0][0], segments[0][1]);
+    const Vec<N> whole = nodes[at(b)] - nodes[at(a)];
+    const double length = glm::length(whole);
+    return nodes[at(a)] + (length > 0 ? length / 2 / length : 0) * whole;
+  }
   std::map<Index, std::vector<Index>> next;
   double total = 0;
   for (const auto &[a, b] : segments) {

@@ -118,6 +118,7 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
     int off;
   };
   store.ridges.reserve(boundary.faces.size() * N); // enough for the spans to stay where they are
+  parts.curves.reserve(2 * parts.sides.size());    // as many as a box has
   std::vector<Record> records;                     // of one side
   std::vector<std::size_t> framed;                 // curves with frames
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {

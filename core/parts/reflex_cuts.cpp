@@ -48,6 +48,7 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Pla
 /// has a cut of its own.
 template <int N>
 std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, const Curve<N> &curve) {
+  if (curve.ridges.size() == 1) return {{0}};
   DisjointSets sets(curve.ridges.size());
   if constexpr (N == 3) {
     std::vector<std::pair<Index, std::size_t>> ends; // node, ridge

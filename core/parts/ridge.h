@@ -18,11 +18,9 @@ template <int N> struct Ridge {
 template <int N>
 std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Index goal, Index f, Index g,
                                   Index crossFrom) {
-  std::vector<Index> star;
-  collectStar(mesh, node, star);
   std::optional<Ridge<N>> best;
   double bestCosine = 0.5;
-  for (const Index s : star) {
+  visitStar(mesh, node, [&](Index s) {
     const int local = mesh.localVertex(s, node);
     for (int i = 0; i < N + 1; ++i) {
       if (i == local || mesh.tags[at(s)][i] != f) continue;
@@ -38,11 +36,12 @@ std::optional<Ridge<N>> findRidge(const ReferenceMesh<N> &mesh, Index node, Inde
         }
         if (cosine <= bestCosine) continue;
         best = Ridge<N>{s, i, k};
-        if (cosine > 1 - 1e-12) return best; // no other leads there
+        if (cosine > 1 - 1e-12) return true; // no other leads there
         bestCosine = cosine;
       }
     }
-  }
+    return false;
+  });
   return best;
 }
 

@@ -38,7 +38,7 @@ public:
   void addSeed(const CutSeed<N> &seed) {
     if (seed.from >= 0) {
       turn(seed.simplex, seed.from, seed.to, seed.crossFrom);
-    } else if (isCrossed(seed.simplex)) {
+    } else if (isCrossed(signsOf(seed.simplex))) {
       addCrossed(seed.simplex);
     } else {
       for (int i = 0; i < N + 1; ++i) addPlaneFace(seed.simplex, i);
@@ -66,15 +66,17 @@ public:
   }
 
 private:
-  bool isCrossed(Index s) const {
-    bool behind = false;
-    bool front = false;
-    for (const Index v : mesh_.simplices[at(s)]) {
-      const int sg = sign(v);
-      behind |= sg < 0;
-      front |= sg > 0;
-    }
-    return behind && front;
+  using Signs = std::array<int, N + 1>;
+
+  Signs signsOf(Index s) const {
+    Signs signs;
+    for (int v = 0; v < N + 1; ++v) signs[at(v)] = sign(mesh_.simplices[at(s)][v]);
+    return signs;
+  }
+
+  static bool isCrossed(const Signs &signs) {
+    const auto [low, high] = std::minmax_element(signs.begin(), signs.end());
+    return *low < 0 && *high > 0;
   }
 
   void addCrossed(Index s) {
@@ -100,11 +102,10 @@ private:
   /// Takes what the section has around a ridge, from one wall to the other. Returns the two walls.
   std::array<FaceRef<N>, 2> turn(Index s, int from, int to, Index crossFrom) {
     const auto visit = [&](Index t) {
-      if (isCrossed(t)) {
-        addCrossed(t);
-        return;
-      }
-      for (int i = 0; i < N + 1; ++i) addPlaneFaceOnRidge(t, i, s, from, to);
+      const Signs signs = signsOf(t);
+      if (isCrossed(signs)) addCrossed(t);
+      else if (std::count(signs.begin(), signs.end(), 0) >= N)
+        for (int i = 0; i < N + 1; ++i) addPlaneFaceOnRidge(t, i, s, from, to);
     };
     const FaceRef<N> first = turnAroundRidge(mesh_, s, from, to, crossFrom, visit);
     if (first.simplex == s && first.face == from) return {first, first};
@@ -141,30 +142,23 @@ private:
   }
 
   void growFromSimplex(Index s) {
-    const auto &v = mesh_.simplices[at(s)];
+    const Signs signs = signsOf(s);
     for (int i = 0; i < N + 1; ++i) { // across crossed faces
-      const Index t = mesh_.neighbors[at(s)][i];
-      if (t == kNone) continue;
-      bool behind = false;
-      bool front = false;
-      for (int k = 0; k < N + 1; ++k) {
-        if (k == i) continue;
-        behind |= sign(v[k]) < 0;
-        front |= sign(v[k]) > 0;
-      }
-      if (behind && front) addCrossed(t);
+      Signs ofFace = signs;
+      ofFace[at(i)] = 0;
+      if (mesh_.neighbors[at(s)][i] != kNone && isCrossed(ofFace)) addCrossed(mesh_.neighbors[at(s)][i]);
     }
     growAroundPlaneRidges(s, -1);
   }
 
   /// Around every ridge of s, or of its face, that lies in the plane.
   void growAroundPlaneRidges(Index s, int face) {
-    const auto &v = mesh_.simplices[at(s)];
+    const Signs signs = signsOf(s);
     for (int i = 0; i < N + 1; ++i)
       for (int k = i + 1; k < N + 1; ++k) {
         if (face >= 0 && i != face && k != face) continue;
         bool inPlane = true;
-        for (int m = 0; m < N + 1; ++m) inPlane &= m == i || m == k || sign(v[m]) == 0;
+        for (int m = 0; m < N + 1; ++m) inPlane &= m == i || m == k || signs[at(m)] == 0;
         if (inPlane) growAroundRidge(s, i, k);
       }
   }

@@ -154,17 +154,27 @@ FaceRef<N> turnAroundRidge(const ReferenceMesh<N> &mesh, Index s, int from, int 
   }
 }
 
-/// All simplices around a node that hang together over faces, in the order found.
-template <int N> void collectStar(const ReferenceMesh<N> &mesh, Index node, std::vector<Index> &star) {
-  star.assign(1, mesh.nodeSimplex[at(node)]);
+/// All simplices around a node that hang together over faces, in the order found, until `visit(simplex)`
+/// returns true.
+template <int N, typename Visit> void visitStar(const ReferenceMesh<N> &mesh, Index node, Visit visit) {
+  std::vector<Index> star{mesh.nodeSimplex[at(node)]};
   for (std::size_t head = 0; head < star.size(); ++head) {
     const Index s = star[head];
+    if (visit(s)) return;
     for (int i = 0; i < N + 1; ++i) {
       const Index t = mesh.neighbors[at(s)][i];
       if (t == kNone || mesh.simplices[at(s)][i] == node) continue;
       if (std::find(star.begin(), star.end(), t) == star.end()) star.push_back(t);
     }
   }
+}
+
+template <int N> void collectStar(const ReferenceMesh<N> &mesh, Index node, std::vector<Index> &star) {
+  star.clear();
+  visitStar(mesh, node, [&](Index s) {
+    star.push_back(s);
+    return false;
+  });
 }
 
 /// Numbers the pieces that the mesh falls into when it is cut along the faces that `isWall(simplex, face)`
