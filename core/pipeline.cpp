@@ -64,26 +64,36 @@ private:
 template <int N>
 [[gnu::noinline]] bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions,
                                  std::vector<bool> &everyFace, StageClock &clock) {
+  Earlier<Contributions<N>> contributions;
+  Earlier<DualCells<N>> dual;
   for (int round = 0; round < kRepairRounds; ++round) {
     clock.start("contributions", 0.5);
-    r.contributions = assignContributions(r.mesh, r.parts);
+    r.contributions = assignContributions(r.mesh, r.parts, contributions);
+    contributions = {};
     Index added = 0;
     if (!r.contributions.notFull.empty()) {
       added = repairFullness(r.mesh, r.parts, r.contributions.notFull);
     } else {
       clock.start("dual", 0.6);
-      r.dual = buildDualCells(r.mesh, r.parts, r.contributions);
+      r.dual = buildDualCells(r.mesh, r.parts, r.contributions, dual);
+      dual = {};
       if (r.dual.surplus.empty()) {
         r.surfaces = buildDualSurfaces(r.parts);
         return true;
       }
       added = repairBubbles(r.mesh, r.parts, r.dual);
+      contributions.found = std::move(r.contributions);
+      dual.found = std::move(r.dual);
     }
     if (added == 0) return false;
     r.repairs += added;
     everyFace.resize(r.mesh.simplices.size(), false);
     clock.start("parts", 0.4);
     r.parts = buildParts(r.mesh, partOptions);
+    contributions.holds.assign(r.parts.parts.size(), true);
+    for (Index s = contributions.found.ofSimplex.count(); s < r.mesh.simplexCount(); ++s)
+      contributions.holds[at(r.parts.partOfSimplex[at(s)])] = false;
+    dual.holds = contributions.holds;
   }
   return false;
 }

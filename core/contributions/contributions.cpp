@@ -31,6 +31,29 @@ bool hasForeignEdge(const ReferenceMesh<N> &mesh, const SideEdges &edges, Index 
   return false;
 }
 
+/// The sides of its part that simplex s touches, ascending, and where.
+template <int N>
+void findSides(const ReferenceMesh<N> &mesh, const Parts<N> &parts, Index s,
+               std::vector<Contribution> &here) {
+  here.clear();
+  const Index part = parts.partOfSimplex[at(s)];
+  const Index firstSide = parts.partSides.offsets[at(part)]; // a part's sides are numbered in a row
+  const Index endSide = parts.partSides.offsets[at(part) + 1];
+  for (int v = 0; v < N + 1; ++v) {
+    const Index node = mesh.simplices[at(s)][v];
+    const Index *const end = parts.nodeSides.end(node);
+    const Index *side = parts.nodeSides.begin(node);
+    if (side == end) continue;
+    for (side = std::lower_bound(side, end, firstSide); side != end && *side < endSide; ++side) {
+      auto known =
+          std::find_if(here.begin(), here.end(), [&](const Contribution &c) { return c.side == *side; });
+      if (known == here.end()) known = here.insert(known, {*side, 0});
+      known->mask = static_cast<std::uint8_t>(known->mask | 1U << v);
+    }
+  }
+  sortItems(here, [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
+}
+
 } // namespace
 
 template <int N>
@@ -55,7 +78,9 @@ bool SideEdges::has(Index side, Index a, Index b) const {
 template SideEdges::SideEdges(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<bool> &);
 template SideEdges::SideEdges(const ReferenceMesh<3> &, const Parts<3> &, const std::vector<bool> &);
 
-template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
+template <int N>
+Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                                     const Earlier<Contributions<N>> &earlier) {
   std::vector<bool> bent(parts.sides.size(), false);
   for (std::size_t side = 0; side < bent.size(); ++side)
     bent[side] = mesh.surfaces[at(FaceTag::surface(parts.sides[side].tag))].bent &&
@@ -69,26 +94,14 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
   result.soft.assign(count, 0);
   std::vector<Contribution> here;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    here.clear();
-    const Index part = parts.partOfSimplex[at(s)];
-    const Index firstSide = parts.partSides.offsets[at(part)]; // a part's sides are numbered in a row
-    const Index endSide = parts.partSides.offsets[at(part) + 1];
-    for (int v = 0; v < N + 1; ++v) {
-      const Index node = mesh.simplices[at(s)][v];
-      const Index *const end = parts.nodeSides.end(node);
-      const Index *side = parts.nodeSides.begin(node);
-      if (side == end) continue;
-      for (side = std::lower_bound(side, end, firstSide); side != end && *side < endSide; ++side) {
-        auto known =
-            std::find_if(here.begin(), here.end(), [&](const Contribution &c) { return c.side == *side; });
-        if (known == here.end()) known = here.insert(known, {*side, 0});
-        known->mask = static_cast<std::uint8_t>(known->mask | 1U << v);
-      }
-    }
-    sortItems(here, [](const Contribution &a, const Contribution &b) { return a.side < b.side; });
+    const bool isKnown = s < earlier.found.ofSimplex.count() && earlier.holds[at(parts.partOfSimplex[at(s)])];
+    if (isKnown) here.assign(earlier.found.ofSimplex.begin(s), earlier.found.ofSimplex.end(s));
+    else findSides(mesh, parts, s, here);
     for (const Contribution &c : here) {
       const int size = std::popcount(unsigned{c.mask});
-      if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {
+      if (isKnown) {
+        // Had it not been full, the earlier run would not have been taken further.
+      } else if (size > N || (size == N && !faceIsOnSide(mesh, parts, s, c))) {
         result.notFull.push_back({s, c});
         if (size > N) continue;
       } else if (bent[at(c.side)] && size > 1 && hasForeignEdge(mesh, bentEdges, s, c)) {
@@ -106,7 +119,9 @@ template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &me
   return result;
 }
 
-template Contributions<2> assignContributions(const ReferenceMesh<2> &, const Parts<2> &);
-template Contributions<3> assignContributions(const ReferenceMesh<3> &, const Parts<3> &);
+template Contributions<2> assignContributions(const ReferenceMesh<2> &, const Parts<2> &,
+                                              const Earlier<Contributions<2>> &);
+template Contributions<3> assignContributions(const ReferenceMesh<3> &, const Parts<3> &,
+                                              const Earlier<Contributions<3>> &);
 
 } // namespace dualblock

@@ -41,9 +41,20 @@ template <int N> struct Contributions {
   Index softCount = 0;
 };
 
-template <int N> Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts);
+/// What was found before some simplices of the mesh were divided, and the parts where it still holds: those
+/// without new simplices.
+template <typename Found> struct Earlier {
+  Found found{};
+  std::vector<bool> holds{}; // per part
+};
 
-extern template Contributions<2> assignContributions(const ReferenceMesh<2> &, const Parts<2> &);
-extern template Contributions<3> assignContributions(const ReferenceMesh<3> &, const Parts<3> &);
+template <int N>
+Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
+                                     const Earlier<Contributions<N>> &earlier = {});
+
+extern template Contributions<2> assignContributions(const ReferenceMesh<2> &, const Parts<2> &,
+                                                     const Earlier<Contributions<2>> &);
+extern template Contributions<3> assignContributions(const ReferenceMesh<3> &, const Parts<3> &,
+                                                     const Earlier<Contributions<3>> &);
 
 } // namespace dualblock

@@ -23,11 +23,12 @@ void uniteAcross(const ReferenceMesh<N> &mesh, const Contributions<N> &contribut
   const auto &theirs = tables.onFace(k, faceOrder<N>(mesh.simplices[at(t)], k));
   const auto &myClass = cache[here].ofRegion;
   const auto &theirClass = cache[there].ofRegion;
-  int last = -1; // neighbouring regions often lie in the same pair of classes
+  std::array<std::uint8_t, RegionTables<N>::kRegions> partner; // several regions lie in one pair of classes
+  partner.fill(0xff);
   for (std::size_t r = 0; r < mine.size(); ++r) {
-    const int pair = myClass[mine[r]] * 64 + theirClass[theirs[r]];
-    if (pair == last) continue;
-    last = pair;
+    std::uint8_t &known = partner[myClass[mine[r]]];
+    if (known == theirClass[theirs[r]]) continue;
+    known = theirClass[theirs[r]];
     unite(offset[at(s)] + myClass[mine[r]], offset[at(t)] + theirClass[theirs[r]]);
   }
 }
@@ -62,7 +63,7 @@ template <int N> Index DualCells<N>::findPiece(Index part, const std::array<Inde
 
 template <int N>
 DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
-                            const Contributions<N> &contributions) {
+                            const Contributions<N> &contributions, const Earlier<DualCells<N>> &earlier) {
   DualCells<N> dual;
   ClassCache<N> cache;
   dual.classOffset.reserve(mesh.simplices.size() + 1);
@@ -74,10 +75,22 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
 
   // Inside the parts first: pieces.
   DisjointSets sets(at(offset.back()));
-  for (Index s = 0; s < mesh.simplexCount(); ++s)
+  std::vector<Index> first(earlier.found.pieces.size(), kNone); // place in each earlier piece
+  const Index known = std::max(toIndex(earlier.found.classOffset.size()), Index{1}) - 1;
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    if (s < known && earlier.holds[at(parts.partOfSimplex[at(s)])]) {
+      const Index *piece = earlier.found.pieceOf.data() + earlier.found.classOffset[at(s)];
+      for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
+        Index &place = first[at(*piece++)];
+        if (place == kNone) place = c;
+        sets.unite(place, c);
+      }
+      continue;
+    }
     for (int i = 0; i < N + 1; ++i)
       if (mesh.neighbors[at(s)][i] > s && mesh.tags[at(s)][i] == kNone)
         uniteAcross(mesh, contributions, offset, cache, s, i, [&](Index a, Index b) { sets.unite(a, b); });
+  }
   Index pieceCount = 0;
   dual.pieceOf = sets.numbering(pieceCount);
 
@@ -105,6 +118,7 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   std::partial_sum(dual.partOffset.begin(), dual.partOffset.end(), dual.partOffset.begin());
 
   // Across the split surfaces: cells.
+  if (!dual.surplus.empty()) return dual;
   DisjointSets cells(dual.pieces.size());
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
     for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
@@ -147,8 +161,10 @@ template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts) {
 
 template struct DualCells<2>;
 template struct DualCells<3>;
-template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &);
-template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &);
+template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &, const Contributions<2> &,
+                                     const Earlier<DualCells<2>> &);
+template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &, const Contributions<3> &,
+                                     const Earlier<DualCells<3>> &);
 template DualSurfaces buildDualSurfaces<2>(const Parts<2> &);
 template DualSurfaces buildDualSurfaces<3>(const Parts<3> &);
 

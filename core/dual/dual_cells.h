@@ -31,7 +31,8 @@ template <int N> struct DualCells {
   std::vector<CellPiece<N>> pieces; // by part, then label; equal labels stand together
   std::vector<Index> partOffset;    // per part, and one more: where its pieces begin
   Index cellCount = 0;
-  std::vector<Index> surplus; // pieces whose label an earlier piece has: bubbles, condition (b)
+  std::vector<Index> surplus; // pieces whose label an earlier piece has: bubbles, condition (b); if there are
+                              // any, no cells are made
   bool overfull = false;      // a region lies inside more than N D-bar-surfaces of a part
 
   /// The piece with this label (ascending, padded), or kNone.
@@ -46,7 +47,7 @@ struct DualSurfaces {
 
 template <int N>
 DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
-                            const Contributions<N> &contributions);
+                            const Contributions<N> &contributions, const Earlier<DualCells<N>> &earlier = {});
 
 /// Joins side P of part A and side P' of part B where they meet a split surface between A and B in the same
 /// curve.
@@ -55,9 +56,9 @@ template <int N> DualSurfaces buildDualSurfaces(const Parts<N> &parts);
 extern template struct DualCells<2>;
 extern template struct DualCells<3>;
 extern template DualCells<2> buildDualCells(const ReferenceMesh<2> &, const Parts<2> &,
-                                            const Contributions<2> &);
+                                            const Contributions<2> &, const Earlier<DualCells<2>> &);
 extern template DualCells<3> buildDualCells(const ReferenceMesh<3> &, const Parts<3> &,
-                                            const Contributions<3> &);
+                                            const Contributions<3> &, const Earlier<DualCells<3>> &);
 extern template DualSurfaces buildDualSurfaces<2>(const Parts<2> &);
 extern template DualSurfaces buildDualSurfaces<3>(const Parts<3> &);
 

@@ -216,14 +216,12 @@ void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::ve
     if (info.simple) info.why = why;
     info.simple = false;
   };
-  DisjointSets shells(boundary.faces.size());
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-    for (int k = 0; k < N + 1; ++k)
-      if (k != boundary.faces[f].face) shells.unite(toIndex(f), boundary.mates[f][k]);
+  DisjointSets shells(parts.sides.size());
+  for (const Curve<N> &curve : parts.curves) shells.unite(curve.sides[0], curve.sides[1]);
   std::vector<Index> shellOfPart(parts.parts.size(), kNone);
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
-    const Index part = parts.sides[at(sideOf[f])].part;
-    const Index shell = shells.find(toIndex(f));
+  for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
+    const Index part = parts.sides[at(side)].part;
+    const Index shell = shells.find(side);
     if (shellOfPart[at(part)] == kNone) shellOfPart[at(part)] = shell;
     if (shellOfPart[at(part)] != shell) blame(part, "its boundary is in several pieces");
   }

@@ -125,8 +125,8 @@ private:
 };
 
 template <int N>
-void walkContributions(const Contributions<N> &contributions, const DualCells<N> &dual, DualWalk<N> &walk) {
-  ClassCache<N> cache;
+void walkContributions(const Contributions<N> &contributions, const DualCells<N> &dual, ClassCache<N> &cache,
+                       DualWalk<N> &walk) {
   struct Sides {
     int count;
     Index first, second;
@@ -162,9 +162,8 @@ void walkContributions(const Contributions<N> &contributions, const DualCells<N>
 /// either side of the face.
 template <int N>
 void walkCommonTraces(const ReferenceMesh<N> &mesh, const Contributions<N> &contributions,
-                      const DualCells<N> &dual, DualWalk<N> &walk) {
+                      const DualCells<N> &dual, ClassCache<N> &cache, DualWalk<N> &walk) {
   const auto &tables = RegionTables<N>::get();
-  ClassCache<N> cache;
   const auto maskIn = [&](Index s, Index side) -> unsigned {
     for (const Contribution *c = contributions.ofSimplex.begin(s); c != contributions.ofSimplex.end(s); ++c)
       if (c->side == side) return c->mask;
@@ -259,8 +258,9 @@ Primal<N> buildPrimal(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
 
   // From the dual.
   DualWalk<N> walk(dual, surfaces);
-  walkContributions(contributions, dual, walk);
-  walkCommonTraces(mesh, contributions, dual, walk);
+  ClassCache<N> cache;
+  walkContributions(contributions, dual, cache, walk);
+  walkCommonTraces(mesh, contributions, dual, cache, walk);
   primal.edges = walk.edges();
   primal.faces = walk.faces();
   if (walk.torn) primal.faults.push_back("two D-bar-cells stand on one side of the same D-bar-face");

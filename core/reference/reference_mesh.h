@@ -84,7 +84,7 @@ template <int N> struct ReferenceMesh {
   int mirrorFace(Index s, int i) const {
     const Simplex &back = neighbors[at(neighbors[at(s)][i])];
     for (int k = 0; k < kVertices; ++k)
-      if (back[k] == s && sharesFace(s, i, neighbors[at(s)][i], k)) return k;
+      if (back[k] == s && (isLast(back, k) || sharesFace(s, i, neighbors[at(s)][i], k))) return k;
     return -1;
   }
 
@@ -119,6 +119,13 @@ template <int N> struct ReferenceMesh {
   }
 
 private:
+  /// Simplices that share several faces are rare.
+  static bool isLast(const Simplex &list, int k) {
+    for (int m = k + 1; m < kVertices; ++m)
+      if (list[m] == list[k]) return false;
+    return true;
+  }
+
   bool sharesFace(Index s, int i, Index t, int k) const {
     const Index apex = simplices[at(t)][k];
     for (int v = 0; v < kVertices; ++v)
