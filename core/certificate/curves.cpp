@@ -10,8 +10,10 @@
 namespace dualblock {
 namespace {
 
-/// Connected pieces of the curves between two patches, with the place of each ridge along its piece.
-struct Course {
+/// Connected pieces of the curves between two patches, with the place of each ridge along its piece. One
+/// serves many curves, one after the other, most of which are too short to be worth vectors of their own.
+class Course {
+public:
   struct Stretch {
     Vec<3> from, to;
     Index piece;
@@ -20,11 +22,21 @@ struct Course {
   std::vector<Stretch> stretches;
   std::vector<double> lengths; // per piece
   std::vector<bool> closed;
-};
 
-Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<Index, 2>> &ridges) {
+  void follow(const std::vector<Vec<3>> &nodes, const std::vector<std::array<Index, 2>> &ridges);
+
+private:
   using End = std::pair<Index, std::size_t>; // node, ridge
   std::vector<End> ends;
+  std::vector<bool> used; // per ridge
+};
+
+void Course::follow(const std::vector<Vec<3>> &nodes, const std::vector<std::array<Index, 2>> &ridges) {
+  stretches.clear();
+  lengths.clear();
+  closed.clear();
+  ends.clear();
+  used.assign(ridges.size(), false);
   for (std::size_t r = 0; r < ridges.size(); ++r)
     for (const Index n : ridges[r]) ends.emplace_back(n, r);
   sortItems(ends);
@@ -34,10 +46,8 @@ Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<I
     while (last != ends.end() && last->first == node) ++last;
     return std::span(first, last);
   };
-  Course course;
-  std::vector<bool> used(ridges.size(), false);
   const auto walk = [&](Index start) {
-    const Index piece = toIndex(course.lengths.size());
+    const Index piece = toIndex(lengths.size());
     double length = 0;
     Index here = start;
     while (true) {
@@ -49,13 +59,13 @@ Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<I
       const Index there = ridges[next][0] == here ? ridges[next][1] : ridges[next][0];
       const Vec<3> a = nodes[at(here)];
       const Vec<3> b = nodes[at(there)];
-      course.stretches.push_back({a, b, piece, length});
+      stretches.push_back({a, b, piece, length});
       length += glm::length(b - a);
       here = there;
       if (here == start || endsAt(here).size() != 2) break;
     }
-    course.lengths.push_back(length);
-    course.closed.push_back(here == start);
+    lengths.push_back(length);
+    closed.push_back(here == start);
   };
   const auto walkAll = [&](bool fromEnds) {
     for (const auto &[node, r] : ends)
@@ -63,7 +73,6 @@ Course courseOf(const std::vector<Vec<3>> &nodes, const std::vector<std::array<I
   };
   walkAll(true);
   walkAll(false);
-  return course;
 }
 
 struct Place {
@@ -80,10 +89,18 @@ double distanceAlong(const Course::Stretch &s, const Vec<3> &x, double &along) {
   return glm::length(x - (s.from + t * d));
 }
 
+/// What followsCourse works with, kept from one curve to the next.
+struct Links {
+  std::vector<std::array<Place, 2>> all;
+  std::vector<std::pair<double, Index>> order; // of one piece
+  std::vector<std::array<Index, 2>> joined, wanted;
+};
+
 /// Whether the creases join the course's nodes in their order, all around or from end to end.
 bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *begin, const Crease *end,
-                   double tolerance) {
-  std::vector<std::array<Place, 2>> links;
+                   double tolerance, Links &links) {
+  auto &[all, order, joined, wanted] = links;
+  all.clear();
   for (const Crease *c = begin; c != end; ++c) {
     // The piece that holds both nodes best: nodes where pieces meet lie on several.
     std::array<Place, 2> link{};
@@ -108,12 +125,13 @@ bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *
       link = here;
     }
     if (!(least <= tolerance)) return false;
-    links.push_back(link);
+    all.push_back(link);
   }
   for (Index piece = 0; piece < toIndex(course.lengths.size()); ++piece) {
-    std::vector<std::pair<double, Index>> order;
-    std::vector<std::array<Index, 2>> joined;
-    for (const auto &link : links) {
+    order.clear();
+    joined.clear();
+    wanted.clear();
+    for (const auto &link : all) {
       if (link[0].piece != piece) continue;
       for (const Place &p : link) order.emplace_back(p.along, p.node);
       joined.push_back(sortedPair(link[0].node, link[1].node));
@@ -124,7 +142,6 @@ bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *
                 order.end());
     if (order.size() < 2) return false;
     const double length = course.lengths[at(piece)];
-    std::vector<std::array<Index, 2>> wanted;
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       if (!(order[k + 1].first - order[k].first > tolerance)) return false;
       wanted.push_back(sortedPair(order[k].second, order[k + 1].second));
@@ -164,10 +181,13 @@ void checkCurves(const BlockInput<3> &in, const std::vector<Crease> &creases, do
   for (std::size_t c = 0; c < in.features.curves.size(); ++c)
     order.emplace_back(keysOf(in, in.features.curves[c]), c);
   sortItems(order);
+  Course course;
+  Links links;
+  std::vector<std::array<Index, 2>> ridges;
   std::size_t known = 0; // creases between patches that have a curve
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     const auto keys = order[begin].first;
-    std::vector<std::array<Index, 2>> ridges;
+    ridges.clear();
     for (; end < order.size() && order[end].first == keys; ++end) {
       const auto &more = in.features.curves[order[end].second].ridges;
       ridges.insert(ridges.end(), more.begin(), more.end());
@@ -177,7 +197,8 @@ void checkCurves(const BlockInput<3> &in, const std::vector<Crease> &creases, do
     const Crease *last = first;
     while (last != creases.data() + creases.size() && last->keys == keys) ++last;
     known += static_cast<std::size_t>(last - first);
-    if (first == last || !followsCourse(in, courseOf(in.featureNodes, ridges), first, last, tolerance))
+    course.follow(in.featureNodes, ridges);
+    if (first == last || !followsCourse(in, course, first, last, tolerance, links))
       failCurve<3>(keys, certificate);
   }
   if (known != creases.size())

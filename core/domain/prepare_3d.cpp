@@ -23,20 +23,19 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
                  {}};
   std::set<std::vector<Index>> seen;
   for (std::size_t f = 0; f < domain.facets.size(); ++f) {
-    const std::string name = "Facet " + std::to_string(given[f]);
-    const std::vector<EntityRef> culprit{{"facet", given[f]}};
+    const auto error = [&](ErrorCode code, const std::string &what) {
+      return Error{code, "Facet " + std::to_string(given[f]) + what, {{"facet", given[f]}}};
+    };
     std::vector<Index> corners;
     for (const auto &loop : domain.facets[f].loops) {
       if (loop.size() < 3)
-        return Error{ErrorCode::degenerateFacet, name + " has a loop of fewer than three vertices.", culprit};
+        return error(ErrorCode::degenerateFacet, " has a loop of fewer than three vertices.");
       corners.insert(corners.end(), loop.begin(), loop.end());
     }
     sortItems(corners);
     if (const auto twice = std::adjacent_find(corners.begin(), corners.end()); twice != corners.end())
-      return Error{ErrorCode::degenerateFacet,
-                   name + " uses vertex " + std::to_string(*twice) +
-                       " twice: give each loop its corners once.",
-                   culprit};
+      return error(ErrorCode::degenerateFacet,
+                   " uses vertex " + std::to_string(*twice) + " twice: give each loop its corners once.");
     const Vec<3> area = areaVector(domain.vertices, domain.facets[f]);
     double perimeter = 0;
     for (const auto &loop : domain.facets[f].loops)
@@ -44,19 +43,18 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
         perimeter +=
             glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
     if (!(glm::length(area) > tolerance * perimeter))
-      return Error{ErrorCode::degenerateFacet,
-                   name + " has no area: remove it, and join the facets on both sides of it.", culprit};
-    if (!seen.insert(corners).second)
-      return Error{ErrorCode::duplicateFacet,
-                   name + " has the same corners as an earlier facet: remove one of them.", culprit};
+      return error(ErrorCode::degenerateFacet,
+                   " has no area: remove it, and join the facets on both sides of it.");
+    if (!seen.insert(std::move(corners)).second)
+      return error(ErrorCode::duplicateFacet,
+                   " has the same corners as an earlier facet: remove one of them.");
     const double off =
         deviation<3>(domain.vertices, domain.facets[f], facetPlane<3>(domain.vertices, domain.facets[f]));
     if (off > kGivenSlack * tolerance)
-      return Error{ErrorCode::nonPlanarFacet,
-                   name + " is not planar: a corner lies " + formatNumber(off) +
-                       " off its plane, more than the " + formatNumber(kGivenSlack * tolerance) +
-                       " allowed. Triangulate it, or raise the tolerance.",
-                   culprit};
+      return error(ErrorCode::nonPlanarFacet, " is not planar: a corner lies " + formatNumber(off) +
+                                                  " off its plane, more than the " +
+                                                  formatNumber(kGivenSlack * tolerance) +
+                                                  " allowed. Triangulate it, or raise the tolerance.");
   }
   return std::nullopt;
 }

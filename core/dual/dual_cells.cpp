@@ -48,7 +48,10 @@ bool labelOf(const Contributions<N> &contributions, Index s, ContributionSet ins
 }
 
 template <int N> bool labelLess(const CellPiece<N> &a, const CellPiece<N> &b) {
-  return a.part != b.part ? a.part < b.part : a.sides < b.sides;
+  if (a.part != b.part) return a.part < b.part;
+  for (std::size_t k = 0; k + 1 < N; ++k)
+    if (a.sides[k] != b.sides[k]) return a.sides[k] < b.sides[k];
+  return a.sides[N - 1] < b.sides[N - 1];
 }
 
 } // namespace
@@ -95,15 +98,14 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   dual.pieceOf = sets.numbering(pieceCount);
 
   // Their labels, and their order by label.
-  dual.pieces.assign(at(pieceCount), {kNone, {}, kNone});
+  dual.pieces.reserve(at(pieceCount));
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
-      CellPiece<N> &piece = dual.pieces[at(dual.pieceOf[at(c)])];
-      if (piece.part != kNone) continue;
-      piece.part = parts.partOfSimplex[at(s)];
-      piece.cell = dual.pieceOf[at(c)]; // for now its number before sorting
+      if (dual.pieceOf[at(c)] < toIndex(dual.pieces.size())) continue; // pieces are numbered as they come
+      // For now the number before sorting stands for the cell.
+      dual.pieces.push_back({parts.partOfSimplex[at(s)], {}, dual.pieceOf[at(c)]});
       const ContributionSet inside = cache[contributions.present[at(s)]].inside[at(c - offset[at(s)])];
-      if (!labelOf<N>(contributions, s, inside, piece.sides)) dual.overfull = true;
+      if (!labelOf<N>(contributions, s, inside, dual.pieces.back().sides)) dual.overfull = true;
     }
   sortByIndex(
       dual.pieces, parts.parts.size(), [](const CellPiece<N> &piece) { return piece.part; }, labelLess<N>);

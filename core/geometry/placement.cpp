@@ -1,6 +1,7 @@
 #include "geometry/placement.h"
 
 #include <map>
+#include <numeric>
 
 #include "geometry/bent_placement.h"
 #include "geometry/jacobian.h"
@@ -11,7 +12,11 @@ namespace {
 
 template <int N> class Placer {
 public:
-  Placer(const ReferenceMesh<N> &mesh, const Parts<N> &parts) : mesh_(mesh), parts_(parts) {}
+  Placer(const ReferenceMesh<N> &mesh, const Parts<N> &parts)
+      : mesh_(mesh), parts_(parts), firstCorner_(parts.parts.size() + 1, 0) {
+    for (const Corner &corner : parts.corners) ++firstCorner_[at(corner.part) + 1];
+    std::partial_sum(firstCorner_.begin(), firstCorner_.end(), firstCorner_.begin());
+  }
 
   Vec<N> place(const CellPiece<N> &piece) const {
     const int count = piece.sideCount();
@@ -23,31 +28,29 @@ public:
 
 private:
   static bool holdsAll(const Corner &corner, const CellPiece<N> &piece) {
-    for (int k = 0; k < piece.sideCount(); ++k)
-      if (!std::binary_search(corner.sides.begin(), corner.sides.end(), piece.sides[at(k)])) return false;
-    return true;
+    return std::includes(corner.sides.begin(), corner.sides.end(), piece.sides.begin(),
+                         piece.sides.begin() + piece.sideCount());
   }
 
   /// The mean of the part's corners that `wanted` accepts.
   template <typename Wanted> Vec<N> mean(const CellPiece<N> &piece, Wanted wanted) const {
-    const auto begin = std::lower_bound(parts_.corners.begin(), parts_.corners.end(), piece.part,
-                                        [](const Corner &c, Index part) { return c.part < part; });
     Vec<N> sum{0.0};
     double count = 0;
-    for (auto c = begin; c != parts_.corners.end() && c->part == piece.part; ++c) {
-      if (!wanted(*c)) continue;
-      sum += mesh_.nodes[at(c->node)];
+    for (std::size_t c = firstCorner_[at(piece.part)]; c < firstCorner_[at(piece.part) + 1]; ++c) {
+      if (!wanted(parts_.corners[c])) continue;
+      sum += mesh_.nodes[at(parts_.corners[c].node)];
       count += 1;
     }
     return count > 0 ? sum / count : sum;
   }
 
   Vec<N> curveMidpoint(const CellPiece<N> &piece) const {
-    std::vector<std::array<Index, 2>> segments;
     if constexpr (N == 2) {
+      std::vector<std::array<Index, 2>> segments;
       for (const FaceRef<2> *f = parts_.sideFaces.begin(piece.sides[0]);
            f != parts_.sideFaces.end(piece.sides[0]); ++f)
         segments.push_back(mesh_.sortedFace(f->simplex, f->face));
+      return chainMidpoint<N>(mesh_.nodes, segments);
     } else {
       const std::array<Index, 2> sides{piece.sides[0], piece.sides[1]};
       const auto curve = std::lower_bound(parts_.curves.begin(), parts_.curves.end(), sides,
@@ -56,19 +59,19 @@ private:
                                           });
       if (curve == parts_.curves.end() || curve->part != piece.part || curve->sides != sides)
         return mean(piece, [&](const Corner &c) { return holdsAll(c, piece); });
-      segments.assign(curve->ridges.begin(), curve->ridges.end());
+      return chainMidpoint<N>(mesh_.nodes, curve->ridges);
     }
-    return chainMidpoint<N>(mesh_.nodes, segments);
   }
 
   const ReferenceMesh<N> &mesh_;
   const Parts<N> &parts_;
+  std::vector<std::size_t> firstCorner_; // per part, and one more
 };
 
 } // namespace
 
 template <int N>
-Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::array<Index, 2>> &segments) {
+Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, std::span<const std::array<Index, 2>> segments) {
   if (segments.size() == 1) {
     const auto [a, b] = sortedPair(segments[0][0], segments[0][1]);
     const Vec<N> whole = nodes[at(b)] - nodes[at(a)];
@@ -123,8 +126,8 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
   untangle(mesh, parts, dual, primal);
 }
 
-template Vec<2> chainMidpoint<2>(const std::vector<Vec<2>> &, const std::vector<std::array<Index, 2>> &);
-template Vec<3> chainMidpoint<3>(const std::vector<Vec<3>> &, const std::vector<std::array<Index, 2>> &);
+template Vec<2> chainMidpoint<2>(const std::vector<Vec<2>> &, std::span<const std::array<Index, 2>>);
+template Vec<3> chainMidpoint<3>(const std::vector<Vec<3>> &, std::span<const std::array<Index, 2>>);
 template void placeNodes(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &, Primal<2> &);
 template void placeNodes(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &, Primal<3> &);
 

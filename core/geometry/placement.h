@@ -14,7 +14,7 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
 
 /// The midpoint by arc length of a chain of segments given in any order. Starts from the lower end node.
 template <int N>
-Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, const std::vector<std::array<Index, 2>> &segments);
+Vec<N> chainMidpoint(const std::vector<Vec<N>> &nodes, std::span<const std::array<Index, 2>> segments);
 
 extern template void placeNodes(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &,
                                 Primal<2> &);

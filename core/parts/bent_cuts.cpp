@@ -255,8 +255,11 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions
   const std::vector<Index> component = componentOfParts(mesh, parts);
   std::size_t curve = 0;
   std::size_t corner = 0;
+  PartView v{mesh, parts, 0, {}, {}};
   for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
-    PartView v{mesh, parts, part, {}, {}};
+    v.part = part;
+    v.curves.clear();
+    v.corners.clear();
     for (; curve < parts.curves.size() && parts.curves[curve].part == part; ++curve)
       v.curves.push_back(&parts.curves[curve]);
     for (; corner < parts.corners.size() && parts.corners[corner].part == part; ++corner)

@@ -91,9 +91,10 @@ template <int N> double ridgeLength(const ReferenceMesh<N> &mesh, const std::arr
 }
 
 /// Whether ridges make up one open chain: two nodes used once, all others twice, and nodes = ridges + 1.
-template <int N> bool isOpenChain(std::span<const std::array<Index, N - 1>> ridges) {
+template <int N>
+bool isOpenChain(std::span<const std::array<Index, N - 1>> ridges, std::vector<Index> &ends) {
   if (N == 2 || ridges.size() == 1) return ridges.size() == 1;
-  std::vector<Index> ends;
+  ends.clear();
   for (const auto &ridge : ridges) ends.insert(ends.end(), ridge.begin(), ridge.end());
   sortItems(ends);
   std::size_t single = 0;
@@ -120,7 +121,8 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
   store.ridges.reserve(boundary.faces.size() * N); // enough for the spans to stay where they are
   parts.curves.reserve(2 * parts.sides.size());    // as many as a box has
   std::vector<Record> records;                     // of one side
-  std::vector<std::size_t> framed;                 // curves with frames
+  std::vector<Index> ends;
+  std::vector<std::size_t> framed; // curves with frames
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
     records.clear();
     for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
@@ -152,7 +154,7 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
       }
       curve.ridges = {store.ridges.data() + first, end - begin};
       curve.angle = frameOf(records[longest]).angle;
-      curve.open = isOpenChain<N>(curve.ridges);
+      curve.open = isOpenChain<N>(curve.ridges, ends);
       if (curve.angle > kFlatAngle) {
         framed.push_back(parts.curves.size());
         for (std::size_t k = begin; k < end; ++k) store.frames.push_back(frameOf(records[k]));
