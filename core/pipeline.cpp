@@ -89,11 +89,14 @@ template <int N>
     r.repairs += added;
     everyFace.resize(r.mesh.simplices.size(), false);
     clock.start("parts", 0.4);
-    r.parts = buildParts(r.mesh, partOptions);
-    contributions.holds.assign(r.parts.parts.size(), true);
-    for (Index s = contributions.found.ofSimplex.count(); s < r.mesh.simplexCount(); ++s)
-      contributions.holds[at(r.parts.partOfSimplex[at(s)])] = false;
-    dual.holds = contributions.holds;
+    // Repairs of bubbles stay inside their parts. (Those with a side per face count on their simplices.)
+    Earlier<Parts<N>> parts;
+    if (contributions.found.ofSimplex.count() > 0 && !partOptions.everyFace)
+      parts = earlierParts(r.mesh, std::move(r.parts));
+    r.parts = buildParts(r.mesh, partOptions, parts);
+    contributions.holds = dual.holds = std::move(parts.holds);
+    contributions.holds.resize(r.parts.parts.size(), false);
+    dual.holds.resize(r.parts.parts.size(), false);
   }
   return false;
 }

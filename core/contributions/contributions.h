@@ -41,13 +41,6 @@ template <int N> struct Contributions {
   Index softCount = 0;
 };
 
-/// What was found before some simplices of the mesh were divided, and the parts where it still holds: those
-/// without new simplices.
-template <typename Found> struct Earlier {
-  Found found{};
-  std::vector<bool> holds{}; // per part
-};
-
 template <int N>
 Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
                                      const Earlier<Contributions<N>> &earlier = {});

@@ -29,7 +29,9 @@ template <int N> int offRidge(const ReferenceMesh<N> &mesh, Index s, int i, int 
   return -1; // no simplex has all of a face on one ridge
 }
 
-template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh) {
+/// `holds(simplex)`: the simplex belongs to a part whose mates nobody will ask for.
+template <int N, typename Holds>
+BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh, const Holds &holds) {
   BoundaryFaces<N> boundary;
   std::array<Index, N + 1> none;
   none.fill(kNone);
@@ -44,7 +46,7 @@ template <int N> BoundaryFaces<N> findBoundaryFaces(const ReferenceMesh<N> &mesh
   for (std::size_t f = 0; f < boundary.faces.size(); ++f)
     for (int k = 0; k < N + 1; ++k) {
       const auto [s, i] = boundary.faces[f];
-      if (k == i || boundary.mates[f][k] != kNone) continue;
+      if (k == i || boundary.mates[f][k] != kNone || holds(s)) continue;
       const FaceRef<N> mate = turnAroundRidge(mesh, s, i, k, kCrossNone, [](Index) {});
       const Index g = boundary.indexOf[at(mate.simplex)][mate.face];
       boundary.mates[f][k] = g;
@@ -111,7 +113,8 @@ bool isOpenChain(std::span<const std::array<Index, N - 1>> ridges, std::vector<I
 /// Groups the ridges between different sides into curves and decides which are open chains.
 template <int N>
 void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
-                 const std::vector<Index> &sideOf, Parts<N> &parts, FeatureStore<N> &store) {
+                 const std::vector<Index> &sideOf, const Earlier<Parts<N>> &earlier, Parts<N> &parts,
+                 FeatureStore<N> &store) {
   struct Record {
     Index other; // side
     std::array<Index, N - 1> nodes;
@@ -123,7 +126,21 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
   std::vector<Record> records;                     // of one side
   std::vector<Index> ends;
   std::vector<std::size_t> framed; // curves with frames
+  auto known = earlier.found.curves.begin();
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
+    const Index part = parts.sides[at(side)].part;
+    if (!earlier.holds.empty() && earlier.holds[at(part)]) {
+      for (; known != earlier.found.curves.end() && known->part <= part; ++known) {
+        if (known->part < part) continue;
+        Curve<N> &curve = parts.curves.emplace_back(*known);
+        curve.ridges = {store.ridges.data() + store.ridges.size(), known->ridges.size()};
+        store.ridges.insert(store.ridges.end(), known->ridges.begin(), known->ridges.end());
+        if (known->frames.empty()) continue;
+        framed.push_back(parts.curves.size() - 1);
+        store.frames.insert(store.frames.end(), known->frames.begin(), known->frames.end());
+      }
+      continue;
+    }
     records.clear();
     for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
       const Index face = boundary.indexOf[at(f->simplex)][f->face];
@@ -137,7 +154,7 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
       return a.other != b.other ? a.other < b.other : a.nodes < b.nodes;
     });
     for (std::size_t begin = 0, end = 0; begin < records.size(); begin = end) {
-      Curve<N> curve{parts.sides[at(side)].part, {side, records[begin].other}};
+      Curve<N> curve{part, {side, records[begin].other}};
       const auto frameOf = [&](const Record &r) {
         return frameAt(mesh, boundary.faces[at(r.face)], r.off, r.nodes,
                        boundary.faces[at(boundary.mates[at(r.face)][r.off])]);
@@ -195,7 +212,7 @@ std::vector<Index> sideEuler(const Parts<N> &parts, const BoundaryFaces<N> &boun
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     Index inner = 0;
     for (int k = 0; k < N + 1; ++k)
-      if (k != boundary.faces[f].face && sideOf[at(boundary.mates[f][k])] == sideOf[f]) ++inner;
+      if (const Index mate = boundary.mates[f][k]; mate != kNone && sideOf[at(mate)] == sideOf[f]) ++inner;
     // A face counts 1; its ridges: inner ones are halved between two faces, so count in units of 1/2.
     const Index ridges = 2 * N - inner;
     chi[at(sideOf[f])] += N == 3 ? 2 - ridges : 2;
@@ -212,8 +229,10 @@ std::vector<Index> sideEuler(const Parts<N> &parts, const BoundaryFaces<N> &boun
 
 /// Condition (c): a ball whose sides are discs, two sides share at most one curve, N sides meet at a corner.
 template <int N>
-void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::vector<Index> &sideOf) {
+void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::vector<Index> &sideOf,
+                const Earlier<Parts<N>> &earlier) {
   const auto blame = [&](Index part, const char *why) {
+    if (!earlier.holds.empty() && earlier.holds[at(part)]) return;
     PartInfo &info = parts.parts[at(part)];
     if (info.simple) info.why = why;
     info.simple = false;
@@ -275,20 +294,34 @@ void linkOpposites(const ReferenceMesh<N> &mesh, Parts<N> &parts, const Boundary
 
 } // namespace
 
-template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options) {
+template <int N>
+Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
+                    const Earlier<Parts<N>> &earlier) {
   Parts<N> parts;
   Index partCount = 0;
   parts.partOfSimplex = floodUntagged(mesh, partCount);
   parts.parts.assign(at(partCount), {true, "", 0});
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     parts.parts[at(parts.partOfSimplex[at(s)])].region = mesh.region[at(s)];
+  const auto holds = [&](Index s) {
+    return !earlier.holds.empty() && earlier.holds[at(parts.partOfSimplex[at(s)])];
+  };
+  for (std::size_t p = 0; p < earlier.holds.size(); ++p)
+    if (earlier.holds[p]) parts.parts[p] = earlier.found.parts[p];
 
   // Sides: boundary faces of one part joined over ridges where the surface goes on.
-  const BoundaryFaces<N> boundary = findBoundaryFaces(mesh);
+  const BoundaryFaces<N> boundary = findBoundaryFaces(mesh, holds);
   DisjointSets joined(boundary.faces.size());
+  for (Index side = 0; side < toIndex(earlier.found.sides.size()); ++side) {
+    if (!earlier.holds[at(earlier.found.sides[at(side)].part)]) continue;
+    const FaceRef<N> *const first = earlier.found.sideFaces.begin(side);
+    for (const FaceRef<N> *f = first; f != earlier.found.sideFaces.end(side); ++f)
+      joined.unite(boundary.indexOf[at(first->simplex)][first->face],
+                   boundary.indexOf[at(f->simplex)][f->face]);
+  }
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     const auto [s, i] = boundary.faces[f];
-    if (options.everyFace && (*options.everyFace)[at(s)]) continue;
+    if (holds(s) || (options.everyFace && (*options.everyFace)[at(s)])) continue;
     for (int k = 0; k < N + 1; ++k) {
       if (k == i) continue;
       const FaceRef<N> mate = boundary.faces[at(boundary.mates[f][k])];
@@ -348,15 +381,15 @@ template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOpt
   forIncidences([&](Index node, Index side) { nodeSides.items[at(cursor[at(node)]++)] = side; });
 
   const auto store = std::make_shared<FeatureStore<N>>();
-  buildCurves(mesh, boundary, sideOf, parts, *store);
+  buildCurves(mesh, boundary, sideOf, earlier, parts, *store);
   buildCorners(parts, *store);
   parts.store = store;
   linkOpposites(mesh, parts, boundary, sideOf);
-  judgeParts(parts, boundary, sideOf);
+  judgeParts(parts, boundary, sideOf, earlier);
   return parts;
 }
 
-template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &);
-template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &);
+template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &, const Earlier<Parts<2>> &);
+template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &, const Earlier<Parts<3>> &);
 
 } // namespace dualblock

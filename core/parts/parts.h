@@ -78,9 +78,32 @@ struct PartOptions {
   const std::vector<bool> *everyFace = nullptr; // per simplex: true where each face is a side of its own
 };
 
+/// What was found before some simplices of the mesh were divided, and the parts where it still holds: those
+/// without new simplices.
+template <typename Found> struct Earlier {
+  Found found{};
+  std::vector<bool> holds{}; // per part
+};
+
+/// Parts of a mesh that has been divided since, inside of some parts: their boundaries are as they were.
+template <int N> Earlier<Parts<N>> earlierParts(const ReferenceMesh<N> &mesh, Parts<N> parts) {
+  Earlier<Parts<N>> earlier{std::move(parts), {}};
+  earlier.holds.assign(earlier.found.parts.size(), true);
+  const Index count = toIndex(earlier.found.partOfSimplex.size());
+  for (Index s = count; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i) { // new pieces stand beside one that has kept its number
+      const Index t = mesh.neighbors[at(s)][i];
+      if (t != kNone && t < count && mesh.tags[at(s)][i] == kNone)
+        earlier.holds[at(earlier.found.partOfSimplex[at(t)])] = false;
+    }
+  return earlier;
+}
+
 /// Finds the parts that the mesh's tagged faces bound. Linear in the simplices; sorting is confined to the
 /// boundary faces.
-template <int N> Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options);
+template <int N>
+Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
+                    const Earlier<Parts<N>> &earlier = {});
 
 /// The component that each part belongs to.
 template <int N> std::vector<Index> componentOfParts(const ReferenceMesh<N> &mesh, const Parts<N> &parts) {
@@ -92,7 +115,7 @@ template <int N> std::vector<Index> componentOfParts(const ReferenceMesh<N> &mes
   return component;
 }
 
-extern template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &);
-extern template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &);
+extern template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &, const Earlier<Parts<2>> &);
+extern template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &, const Earlier<Parts<3>> &);
 
 } // namespace dualblock

@@ -90,9 +90,9 @@ public:
         for (int b = a + 1; b < N; ++b) {
           if (!(faceSeen_[p] >> (a * N + b) & 1)) continue;
           const CellPiece<N> &inner = dual_.pieces[p];
-          const Index onA = without(inner, {b});
-          const Index onB = without(inner, {a});
-          const Index outer = without(inner, {a, b});
+          const Index onA = across(toIndex(p), b);
+          const Index onB = across(toIndex(p), a);
+          const Index outer = onA == kNone ? kNone : across(onA, a);
           if (onA == kNone || onB == kNone || outer == kNone) {
             torn = true;
             continue;
@@ -109,12 +109,14 @@ public:
   bool torn = false;
 
 private:
-  /// The piece whose label lacks the given slots of this one's.
-  Index without(const CellPiece<N> &piece, std::initializer_list<int> slots) const {
+  /// The piece whose label lacks a slot of this one's.
+  Index across(Index p, int slot) const {
+    if (const Index to = edgeTo_[at(p)][at(slot)]; to != kNone) return to;
+    const CellPiece<N> &piece = dual_.pieces[at(p)];
     std::array<Index, N> label;
     label.fill(kNone);
     for (int k = 0, m = 0; k < N; ++k)
-      if (std::find(slots.begin(), slots.end(), k) == slots.end()) label[at(m++)] = piece.sides[at(k)];
+      if (k != slot) label[at(m++)] = piece.sides[at(k)];
     return dual_.findPiece(piece.part, label);
   }
 
