@@ -82,8 +82,10 @@ template <int N>
         return true;
       }
       added = repairBubbles(r.mesh, r.parts, r.dual);
-      contributions.found = std::move(r.contributions);
-      dual.found = std::move(r.dual);
+      if (!r.dual.overfull) {
+        contributions.found = std::move(r.contributions);
+        dual.found = std::move(r.dual);
+      }
     }
     if (added == 0) return false;
     r.repairs += added;

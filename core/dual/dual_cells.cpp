@@ -76,48 +76,60 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
                                (present == 0 ? 1 : toIndex(cache[present].inside.size())));
   const std::vector<Index> &offset = dual.classOffset;
 
-  // Inside the parts first: pieces.
+  // Inside the parts first: pieces, in the order of their first places.
+  const Index knownCount = toIndex(std::max(earlier.found.classOffset.size(), std::size_t{1})) - 1;
+  const auto isKnown = [&](Index s) {
+    return s < knownCount && earlier.holds[at(parts.partOfSimplex[at(s)])];
+  };
   DisjointSets sets(at(offset.back()));
-  std::vector<Index> first(earlier.found.pieces.size(), kNone); // place in each earlier piece
-  const Index known = std::max(toIndex(earlier.found.classOffset.size()), Index{1}) - 1;
-  for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    if (s < known && earlier.holds[at(parts.partOfSimplex[at(s)])]) {
-      const Index *piece = earlier.found.pieceOf.data() + earlier.found.classOffset[at(s)];
-      for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
-        Index &place = first[at(*piece++)];
-        if (place == kNone) place = c;
-        sets.unite(place, c);
-      }
-      continue;
-    }
-    for (int i = 0; i < N + 1; ++i)
-      if (mesh.neighbors[at(s)][i] > s && mesh.tags[at(s)][i] == kNone)
-        uniteAcross(mesh, contributions, offset, cache, s, i, [&](Index a, Index b) { sets.unite(a, b); });
-  }
-  Index pieceCount = 0;
-  dual.pieceOf = sets.numbering(pieceCount);
-
-  // Their labels, and their order by label.
-  dual.pieces.reserve(at(pieceCount));
   for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < N + 1; ++i)
+      if (mesh.neighbors[at(s)][i] > s && mesh.tags[at(s)][i] == kNone && !isKnown(s))
+        uniteAcross(mesh, contributions, offset, cache, s, i, [&](Index a, Index b) { sets.unite(a, b); });
+  dual.pieceOf.resize(at(offset.back()));
+  std::vector<CellPiece<N>> made;
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    if (isKnown(s)) continue;
     for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
-      if (dual.pieceOf[at(c)] < toIndex(dual.pieces.size())) continue; // pieces are numbered as they come
-      // For now the number before sorting stands for the cell.
-      dual.pieces.push_back({parts.partOfSimplex[at(s)], {}, dual.pieceOf[at(c)]});
-      const ContributionSet inside = cache[contributions.present[at(s)]].inside[at(c - offset[at(s)])];
-      if (!labelOf<N>(contributions, s, inside, dual.pieces.back().sides)) dual.overfull = true;
+      const Index root = sets.find(c);
+      if (root == c) {
+        dual.pieceOf[at(c)] = toIndex(made.size());
+        made.push_back({parts.partOfSimplex[at(s)], {}, dual.pieceOf[at(c)]}); // until it has a cell
+        const ContributionSet inside = cache[contributions.present[at(s)]].inside[at(c - offset[at(s)])];
+        if (!labelOf<N>(contributions, s, inside, made.back().sides)) dual.overfull = true;
+      }
+      dual.pieceOf[at(c)] = dual.pieceOf[at(root)];
     }
-  sortByIndex(
-      dual.pieces, parts.parts.size(), [](const CellPiece<N> &piece) { return piece.part; }, labelLess<N>);
-  std::vector<Index> rank(dual.pieces.size());
-  for (std::size_t k = 0; k < rank.size(); ++k) {
-    rank[at(dual.pieces[k].cell)] = toIndex(k);
-    if (k > 0 && !labelLess(dual.pieces[k - 1], dual.pieces[k])) dual.surplus.push_back(toIndex(k));
   }
-  for (Index &piece : dual.pieceOf) piece = rank[at(piece)];
-  dual.partOffset.assign(parts.parts.size() + 1, 0);
-  for (const CellPiece<N> &piece : dual.pieces) ++dual.partOffset[at(piece.part) + 1];
-  std::partial_sum(dual.partOffset.begin(), dual.partOffset.end(), dual.partOffset.begin());
+
+  // Their order by part and label.
+  sortByIndex(
+      made, parts.parts.size(), [](const CellPiece<N> &piece) { return piece.part; }, labelLess<N>);
+  dual.pieces.reserve(made.size() + earlier.found.pieces.size());
+  dual.partOffset.assign(1, 0);
+  std::vector<Index> rank(made.size());
+  for (Index part = 0, next = 0; part < toIndex(parts.parts.size()); ++part) {
+    if (at(part) < earlier.holds.size() && earlier.holds[at(part)])
+      dual.pieces.insert(dual.pieces.end(), earlier.found.pieces.begin() + earlier.found.partOffset[at(part)],
+                         earlier.found.pieces.begin() + earlier.found.partOffset[at(part) + 1]);
+    for (; at(next) < made.size() && made[at(next)].part == part; ++next) {
+      rank[at(made[at(next)].cell)] = toIndex(dual.pieces.size());
+      dual.pieces.push_back(made[at(next)]);
+    }
+    dual.partOffset.push_back(toIndex(dual.pieces.size()));
+  }
+  for (std::size_t k = 1; k < dual.pieces.size(); ++k)
+    if (!labelLess(dual.pieces[k - 1], dual.pieces[k])) dual.surplus.push_back(toIndex(k));
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    const std::size_t part = at(parts.partOfSimplex[at(s)]);
+    const bool known = isKnown(s);
+    const Index *before = known ? earlier.found.pieceOf.data() + earlier.found.classOffset[at(s)] : nullptr;
+    const Index moved = known ? dual.partOffset[part] - earlier.found.partOffset[part] : 0;
+    for (Index c = offset[at(s)]; c < offset[at(s) + 1]; ++c) {
+      Index &piece = dual.pieceOf[at(c)];
+      piece = known ? *before++ + moved : rank[at(piece)];
+    }
+  }
 
   // Across the split surfaces: cells.
   if (!dual.surplus.empty()) return dual;
