@@ -41,10 +41,11 @@ void Course::follow(const std::vector<Vec<3>> &nodes, const std::vector<std::arr
     for (const Index n : ridges[r]) ends.emplace_back(n, r);
   sortItems(ends);
   const auto endsAt = [&](Index node) {
-    const auto first = std::lower_bound(ends.begin(), ends.end(), End{node, 0});
-    auto last = first;
-    while (last != ends.end() && last->first == node) ++last;
-    return std::span(first, last);
+    const End *const last = ends.data() + ends.size();
+    const End *const first = std::lower_bound<const End *>(ends.data(), last, End{node, 0});
+    const End *end = first;
+    while (end != last && end->first == node) ++end;
+    return std::span<const End>(first, end);
   };
   const auto walk = [&](Index start) {
     const Index piece = toIndex(lengths.size());
