@@ -25,7 +25,8 @@ struct Pinch {
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
   std::vector<Index> boundary; // of `faces`: those with one block only
-  std::vector<Index> faceOf;   // per block and local number: index in `faces`
+  std::vector<Index> behind;   // per block and local number: the other block's, 2N times its number plus the
+                               // local one there, or kNone
   std::vector<Pinch> pinches;
 
   bool areTwins(std::size_t f, std::size_t g) const {

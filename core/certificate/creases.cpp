@@ -29,10 +29,13 @@ template <int N> constexpr auto kAcross = acrossTable<N>();
 /// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the
 /// fan.
 template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const BlockComplex<N> &complex) {
-  const auto key = [&](const BlockFace<N> &face) { return in.mesh.sideKey(face.tag); };
-  const auto place = [](const BlockFace<N> &face, Index node) {
+  const auto nodeAt = [&](Index block, int local, std::size_t k) {
+    constexpr std::size_t kCorners = 1 << (N - 1);
+    return in.blocks.blocks[at(block)][at(faceCorner<N>(local, static_cast<int>(k % kCorners)))];
+  };
+  const auto place = [&](Index block, int local, Index node) {
     std::size_t k = 0;
-    while (face.cycle[k] != node) ++k;
+    while (nodeAt(block, local, k) != node) ++k;
     return k;
   };
   std::vector<Crease> creases;
@@ -41,23 +44,23 @@ template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const 
     for (std::size_t k = 0; k < start.cycle.size(); ++k) {
       const Index a = start.cycle[k];
       const Index b = N == 2 ? a : start.cycle[(k + 1) % start.cycle.size()];
-      const BlockFace<N> *from = &start;
+      Index block = start.block;
+      int local = start.local;
       Crease crease{{kNone, kNone}, sortedPair(a, b), 0};
       while (at(crease.blocks) < in.blocks.blocks.size()) {
         ++crease.blocks;
         // The block's other face at a and b.
-        std::size_t edge = place(*from, a);
-        if (N == 3 && from->cycle[(edge + 1) % from->cycle.size()] != b) edge = place(*from, b);
-        const int local = kAcross<N>[at(from->local)][edge];
-        const Index across = complex.faceOf[at(2 * N * from->block + local)];
-        const BlockFace<N> &face = complex.faces[at(across)];
-        if (facetOf(face) != kNone) {
-          crease.keys = {key(start), key(face)};
+        std::size_t edge = place(block, local, a);
+        if (N == 3 && nodeAt(block, local, edge + 1) != b) edge = place(block, local, b);
+        local = kAcross<N>[at(local)][edge];
+        if (const Index tag = in.blocks.tags[at(block)][at(local)]; tag != kNone) {
+          crease.keys = {in.mesh.sideKey(start.tag), in.mesh.sideKey(tag)};
           break;
         }
-        const Index next = complex.twinOf(at(across));
+        const Index next = complex.behind[at(2 * N * block + local)];
         if (next == kNone) break; // no facet where there is no block: checkFacets says so
-        from = &complex.faces[at(next)];
+        block = next / (2 * N);
+        local = next % (2 * N);
       }
       if (crease.keys[0] < crease.keys[1]) creases.push_back(crease); // each fan is met from both of its ends
     }

@@ -214,10 +214,12 @@ template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &in) {
                   if (a.key[k] != b.key[k]) return a.key[k] < b.key[k];
                 return a.block < b.block;
               });
-  complex.faceOf.resize(complex.faces.size());
+  const auto number = [&](std::size_t f) { return 2 * N * complex.faces[f].block + complex.faces[f].local; };
+  complex.behind.resize(complex.faces.size());
   for (std::size_t f = 0; f < complex.faces.size(); ++f) {
-    complex.faceOf[at(2 * N * complex.faces[f].block + complex.faces[f].local)] = toIndex(f);
-    if (complex.twinOf(f) == kNone) complex.boundary.push_back(toIndex(f));
+    const Index twin = complex.twinOf(f);
+    complex.behind[at(number(f))] = twin == kNone ? kNone : number(at(twin));
+    if (twin == kNone) complex.boundary.push_back(toIndex(f));
   }
   return complex;
 }
