@@ -337,7 +337,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     const BlockMesh<N> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
     const BlockInput<N> input{r.domain.domain, r.features, r.featureNodes,
                               r.mesh,          layered,    r.domain.deviation};
-    auto made = makeFinalMesh(input, r.certificate, mode);
+    auto made = makeFinalMesh(input, r.certificate, mode, r.domain.facetOfGiven);
     if (!made.ok()) return made.error();
     r.finalMesh = std::move(made.value());
     r.certificate = r.finalMesh->certificate; // matching and cells have passed, on the layered mesh

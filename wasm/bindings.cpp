@@ -163,6 +163,7 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
   m.set("blockSurfaces", toJs<Index>(blocks.surfaces));
   m.set("quality", toJs<double>(r.finalMesh->quality));
   m.set("extracted", toJs<Index>(r.finalMesh->extracted));
+  m.set("inserted", toJs<Index>(r.finalMesh->inserted));
   const BoundaryFaces<N> boundary = boundaryOf(blocks);
   m.set("boundaryFaces", toJs<Index>(boundary.faces));
   m.set("boundaryFacet", toJs<Index>(boundary.facet));
@@ -225,7 +226,7 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
 }
 
 /// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, coarsest}, every one a number in
-/// its range, and extract, an array of whole numbers.
+/// its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -257,8 +258,18 @@ Result<PipelineOptions> readOptions(const val &settings) {
     surfaces.push_back(static_cast<Index>(id));
   }
   if (wrong) return *wrong;
+  std::vector<ModeOptions::Insert> insert;
+  const std::vector<Index> facets = fromJs<Index>(settings["insertFacets"]);
+  const std::vector<double> shares = fromJs<double>(settings["insertShares"]);
+  for (std::size_t k = 0; k < std::min(facets.size(), shares.size()); ++k) {
+    if (!(shares[k] > 0 && shares[k] < 1))
+      return Error{
+          ErrorCode::badOption, "The share of an inserted layer is a number over 0 and under 1.", {}};
+    insert.push_back({facets[k], shares[k]});
+  }
   PipelineOptions options;
-  options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0};
+  options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0,
+                  std::move(insert)};
   options.edgeLength = edgeLength;
   options.seed = static_cast<std::uint32_t>(seed);
   options.tolerance = tolerance;

@@ -22,6 +22,11 @@ export class Dualblock {
   /** Of the facets as loaded; empty where none has a name. */
   private names: string[] = [];
 
+  /** Names of the facets of the domain that is loaded, as the input counts them; empty where it gives none. */
+  get facetNames(): readonly string[] {
+    return this.names;
+  }
+
   private constructor(module: CoreModule) {
     this.module = module;
     this.session = new module.Session();
@@ -50,9 +55,15 @@ export class Dualblock {
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
     const wanted = { ...defaultSettings, ...settings };
     const featureAngle = wanted.featureAngle === 'auto' ? -1 : wanted.featureAngle;
-    const { mode, relax } = wanted;
-    const numbers = { featureAngle, coarsest: Number(mode === 'coarsest'), relax: Number(relax) };
-    const answer = this.session.run({ ...wanted, ...numbers }, progress);
+    const { mode, relax, insert } = wanted;
+    const raw = {
+      featureAngle,
+      coarsest: Number(mode === 'coarsest'),
+      relax: Number(relax),
+      insertFacets: Int32Array.from(insert, ({ facet }) => facet),
+      insertShares: Float64Array.from(insert, ({ share }) => share),
+    };
+    const answer = this.session.run({ ...wanted, ...raw }, progress);
     if (!answer.ok) return raise(answer.error, answer.given);
     const { domain } = answer;
     if (this.names.length > 0)

@@ -14,6 +14,8 @@ declare module '*/build/dualblock.mjs' {
     /** 0: the layered mesh, 1: as coarse as can be. */
     coarsest: number;
     extract: readonly number[];
+    insertFacets: Int32Array;
+    insertShares: Float64Array;
   }
 
   export interface RawSession {

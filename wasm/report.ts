@@ -82,6 +82,7 @@ export function makeReport(
     mesh: {
       mode: settings.mode,
       extracted: Array.from(mesh?.extracted ?? []),
+      inserted: (mesh?.inserted.length ?? 0) / 2,
       nodes: (mesh ?? primal).positions.length / result.dimension,
       blocks: (mesh ?? primal).quality.length,
     },
@@ -183,8 +184,8 @@ export function describe(report: Report): string {
   const off = (100 * (meshMeasure - domainMeasure)) / domainMeasure;
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
-    mesh.extracted.length > 0
-      ? `  ${mesh.extracted.length} D̄-surfaces extracted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
+    mesh.extracted.length + mesh.inserted > 0
+      ? `  ${mesh.extracted.length} D̄-surfaces extracted, ${mesh.inserted} inserted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',

@@ -153,8 +153,8 @@ export interface RunResult {
     boundaryFacet: Int32Array;
   };
   /**
-   * The mesh that is handed out where D̄-surfaces have been extracted; null where it is the primal. `surfaces` numbers
-   * those of the layered mesh.
+   * The mesh that is handed out where D̄-surfaces have been extracted or inserted; null where it is the primal.
+   * `blockSurfaces` numbers those of the layered mesh, and inserted ones after them.
    */
   mesh: {
     positions: Float64Array;
@@ -167,6 +167,8 @@ export interface RunResult {
     quality: Float64Array;
     /** D̄-surfaces, in the order that they went. */
     extracted: Int32Array;
+    /** Inserted D̄-surfaces, each with the one whose layer it was split from. */
+    inserted: Int32Array;
     boundaryFaces: Int32Array;
     boundaryFacet: Int32Array;
   } | null;

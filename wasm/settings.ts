@@ -20,6 +20,11 @@ export interface Settings {
   mode: Mode;
   /** D̄-surfaces of the layered mesh to extract, in this order; before coarsening, in the mode for that. */
   extract: readonly number[];
+  /**
+   * Facets of the input along whose sides a D̄-surface is inserted, at last, and the share of the edges there that the new
+   * layer gets, over 0 and under 1.
+   */
+  insert: readonly { facet: number; share: number }[];
   /** Move nodes to where blocks have a better shape. */
   relax: boolean;
   /** Seconds that a run may take; 0 for as long as it needs. */
@@ -33,6 +38,7 @@ export const defaultSettings: Settings = {
   featureAngle: 'auto',
   mode: 'layered',
   extract: [],
+  insert: [],
   relax: true,
   timeLimit: 0,
 };

@@ -44,7 +44,7 @@ Error noInsertion(Index facet, const std::string &why) {
 
 template <int N>
 Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
-                                   const ModeOptions &options) {
+                                   const ModeOptions &options, const std::vector<Index> &facetOfGiven) {
   FinalMesh<N> result;
   BlockMesh<N> &blocks = result.blocks;
   blocks = layered.blocks;
@@ -91,9 +91,9 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   if (!options.insert.empty()) {
     const BentShape<N> shape(bentFacetsOf(layered.mesh, layered.features, layered.featureNodes));
     for (const auto &[facet, share] : options.insert) {
-      if (facet < 0 || at(facet) >= layered.domain.facets.size())
-        return noInsertion(facet, "it does not exist");
-      Insertion<N> next = insertAlong(layered.mesh, shape, blocks, facet, share);
+      const bool exists = facet >= 0 && at(facet) < facetOfGiven.size() && facetOfGiven[at(facet)] != kNone;
+      if (!exists) return noInsertion(facet, "it does not exist");
+      Insertion<N> next = insertAlong(layered.mesh, shape, blocks, facetOfGiven[at(facet)], share);
       if (!next.why.empty()) return noInsertion(facet, next.why);
       Certificate c = certified(next.blocks);
       if (!c.valid) return noInsertion(facet, c.failures[0].message);
@@ -141,8 +141,10 @@ template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks) {
   return result;
 }
 
-template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certificate &, const ModeOptions &);
-template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &, const ModeOptions &);
+template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certificate &, const ModeOptions &,
+                                            const std::vector<Index> &);
+template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &, const ModeOptions &,
+                                            const std::vector<Index> &);
 template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &);
 template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &);
 

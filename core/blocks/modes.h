@@ -14,7 +14,7 @@ struct ModeOptions {
   std::vector<Index> extract; // D-bar-surfaces to extract first, in this order
   bool relax = true;
   struct Insert {
-    Index facet;
+    Index facet;  // of the domain as given
     double share; // see insertAlong
   };
   std::vector<Insert> insert; // along the sides of these facets, at last
@@ -29,15 +29,16 @@ template <int N> struct FinalMesh {
 };
 
 /// `layered` is a valid mesh with its certificate. An Error names a surface that cannot be extracted, or a
-/// facet that none can be inserted along, and why. Nothing is returned that is not valid.
+/// facet that none can be inserted along, and why. `facetOfGiven`: as in PreparedDomain. Nothing is returned
+/// that is not valid.
 template <int N>
 Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
-                                   const ModeOptions &options);
+                                   const ModeOptions &options, const std::vector<Index> &facetOfGiven);
 
 extern template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certificate &,
-                                                   const ModeOptions &);
+                                                   const ModeOptions &, const std::vector<Index> &);
 extern template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &,
-                                                   const ModeOptions &);
+                                                   const ModeOptions &, const std::vector<Index> &);
 
 /// The faces of a block mesh that belong to one block only, and the facets that they lie on.
 template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks);

@@ -68,6 +68,19 @@ describe('parseArguments', () => {
         },
       },
     ],
+    [
+      'a.json --insert 3=0.25 --insert inlet=.1',
+      {
+        ...plain,
+        source: file,
+        settings: {
+          insert: [
+            { side: '3', share: 0.25 },
+            { side: 'inlet', share: 0.1 },
+          ],
+        },
+      },
+    ],
     ['a.json --feature-angle auto', { ...plain, source: file, settings: { featureAngle: 'auto' } }],
     [
       'a.json --reference .5 --seed 4294967295 --tolerance 1e-8',
@@ -110,6 +123,9 @@ describe('parseArguments', () => {
     ['a.json --refine 2 --grade 3=1', /--grade cannot be "1"/, /over 1/],
     ['a.json --refine 2 --grade 3=1001', /--grade cannot be "1001"/, /up to 1000/],
     ['a.json --grade 3=1.2', /grades no element/, /--refine N or --size H/],
+    ['a.json --insert 3', /--insert cannot be "3"/, /FACET=0.25/],
+    ['a.json --insert 3=1', /--insert cannot be "1"/, /under 1/],
+    ['--check a.vtk --insert 3=.5', /--insert does not go with --check/, /leave it out/],
     ['--check a.vtk --refine 2', /--refine does not go with --check/, /leave it out/],
     ['a.json --toleranc 1', /no option --toleranc/, /--tolerance/],
     ['a.json --no-quiet', /no option --no-quiet/, /--help/],

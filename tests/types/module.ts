@@ -16,6 +16,7 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     timeLimit: 60,
     mode: 'coarsest',
     extract: [3],
+    insert: [{ facet: 0, share: 0.25 }],
     relax: false,
   };
   const progress: Progress = (stage, done) => console.log(stage.toUpperCase(), done.toFixed(2));

@@ -3,6 +3,7 @@ import { parseArgs } from 'node:util';
 import { type Mode, modes } from '../settings.ts';
 import { findOption, nearestOption, options } from './options.ts';
 import { type GivenRefinement, refinementOf } from './refinement.ts';
+import { type GivenInsertion, insertionOf } from './sides.ts';
 import { badValue, between, quote, UsageError } from './usage.ts';
 
 /** Settings that the command line gave; what is absent keeps its default. */
@@ -18,6 +19,7 @@ export interface GivenSettings {
   mode?: Mode;
   extract?: number[];
   relax?: false;
+  insert?: GivenInsertion[];
 }
 
 export type Source = { kind: 'file'; path: string } | { kind: 'example'; name: string };
@@ -93,6 +95,7 @@ function checkOf(inputs: string[], given: Map<string, string[]>): Command {
     'seed',
     'mode',
     'extract',
+    'insert',
     'no-relax',
     'refine',
     'size',
@@ -232,6 +235,8 @@ function meshSettingsOf(given: Map<string, string[]>): GivenSettings {
       if (/^\d{1,9}$/.test(id)) return Number(id);
       throw badValue('extract', id, 'the number of a D̄-surface, from 0 on');
     });
+  const insert = given.get('insert');
+  if (insert) settings.insert = insert.map(insertionOf);
   if (given.has('no-relax')) settings.relax = false;
   return settings;
 }

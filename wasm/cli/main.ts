@@ -13,6 +13,7 @@ import { putReport, readExamples, readSource, save } from './files.ts';
 import { helpText } from './options.ts';
 import { makeProgress } from './progress.ts';
 import { type GivenRefinement, resolve } from './refinement.ts';
+import { facetsOf } from './sides.ts';
 import { UsageError } from './usage.ts';
 
 type Run = Extract<Command, { kind: 'run' }>;
@@ -25,7 +26,7 @@ async function listExamples(): Promise<string> {
     .join('');
 }
 
-const settingsOf = ({ reference, ...given }: GivenSettings): Settings => ({
+const settingsOf = ({ reference, insert: _, ...given }: GivenSettings): Settings => ({
   ...defaultSettings,
   ...given,
   ...(typeof reference === 'number' ? { edgeLength: reference } : {}),
@@ -42,8 +43,11 @@ async function run(command: Run): Promise<number> {
   try {
     const { name, bytes } = await readSource(command.source);
     core.load(name, bytes);
+    settings.insert = (command.settings.insert ?? []).flatMap(({ side, share }) =>
+      facetsOf(side, core.facetNames).map((facet) => ({ facet, share })),
+    );
     const result = core.run(settings, progress.update);
-    const refined = await refine(result, command.refinement, progress.update);
+    const refined = await refine(result, command.refinement, core.facetNames, progress.update);
     progress.end();
     const report = makeReport(result, settings, core.memory().peak, refined);
     await putReport(command.report, report);
@@ -70,10 +74,11 @@ async function run(command: Run): Promise<number> {
 async function refine(
   result: RunResult,
   given: GivenRefinement | null,
+  names: readonly string[],
   progress: Progress | null,
 ): Promise<RefinedMesh | null> {
   if (!given || !result.certificate.valid || result.onlyMatching) return null;
-  const refinement = resolve(given, result);
+  const refinement = resolve(given, result, names);
   if (!isRefined(refinement)) return null;
   const refiner = await Refiner.create({
     wasmBinary: await readFile(new URL('./refinement.wasm', import.meta.url)),

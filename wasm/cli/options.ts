@@ -30,6 +30,11 @@ export const options = {
   },
   mode: { value: 'MODE', help: 'layered: blocks along every side (default); coarsest: as few as can be' },
   extract: { value: 'ID', repeatable: true, help: 'collapse the layer of a D̄-surface; may be repeated' },
+  insert: {
+    value: 'FACET=SHARE',
+    repeatable: true,
+    help: 'split the layer along a facet, with this share of it next to the facet; may be repeated',
+  },
   'no-relax': { help: 'leave nodes where they are placed first' },
   refine: {
     value: 'N|ID=N',

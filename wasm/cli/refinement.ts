@@ -1,7 +1,7 @@
 // The command line's words on refinement: --refine, --size and --grade.
-import { DualblockError } from '../io/errors.ts';
 import { isRefined, noRefinement, type Refinement } from '../refine.ts';
 import type { RunResult } from '../result.ts';
+import { facetsOf, sideAndNumber } from './sides.ts';
 import { badValue, between, UsageError } from './usage.ts';
 
 /** As given: sides are named, or numbered as the input numbers its facets. */
@@ -30,9 +30,9 @@ export function refinementOf(given: Map<string, string[]>): GivenRefinement | nu
     refinement.size = between('size', size, Infinity, 'a length over 0');
   }
   for (const value of grade) {
-    const [, side, growth] = /^(.+)=([^=]+)$/.exec(value) ?? [];
-    if (side === undefined || growth === undefined)
-      throw badValue('grade', value, 'a facet, by number or name, and a growth: FACET=1.2');
+    const parts = sideAndNumber(value);
+    if (!parts) throw badValue('grade', value, 'a facet, by number or name, and a growth: FACET=1.2');
+    const { side, number: growth } = parts;
     const wanted = 'a growth from one element to the next over 1 and up to 1000';
     const factor = between('grade', growth, 1000.0000001, wanted);
     if (factor <= 1) throw badValue('grade', growth, wanted);
@@ -43,24 +43,11 @@ export function refinementOf(given: Map<string, string[]>): GivenRefinement | nu
   return refinement;
 }
 
-/** With the facets that sides stand for in a result. Throws `indexOutOfRange` or `badOption` for a side that is none. */
-export function resolve(given: GivenRefinement, { domain }: RunResult): Refinement {
-  const gradings = given.gradings.flatMap(({ side, growth }) => {
-    const named = (domain.facetNames ?? []).flatMap((name, facet) =>
-      name === side || name.split('+').includes(side) ? [facet] : [],
-    );
-    if (named.length > 0) return named.map((facet) => ({ facet, growth }));
-    const facet = /^\d+$/.test(side) ? (domain.facetOfGiven[Number(side)] ?? -1) : -1;
-    if (facet < 0) {
-      const known = [...new Set(domain.facetNames ?? [])].filter((name) => name !== '');
-      throw new DualblockError(
-        'badOption',
-        `The input has no facet ${JSON.stringify(side)}: give its number, 0 to ${domain.facetOfGiven.length - 1}${
-          known.length > 0 ? `, or a name, such as ${JSON.stringify(known[0])}` : ''
-        }.`,
-      );
-    }
-    return [{ facet, growth }];
-  });
-  return { ...given, gradings };
+/** With the facets that sides stand for in a result. Throws `badOption` for a side that is none. */
+export function resolve(given: GivenRefinement, { domain }: RunResult, names: readonly string[]): Refinement {
+  const { facetOfGiven } = domain;
+  const gradings = given.gradings.flatMap(({ side, growth }) =>
+    facetsOf(side, names, facetOfGiven.length).map((facet) => ({ facet: facetOfGiven[facet]!, growth })),
+  );
+  return { ...given, gradings: gradings.filter(({ facet }) => facet >= 0) };
 }

@@ -28,8 +28,8 @@ const longestLink = 16_000;
 type RunSettings = Pick<ViewState, 'reference' | 'timeLimit'>;
 
 /** Tells models apart by what they are made of. */
-const madeOf = (model: ModelRef, { edgeLength, seed, featureAngle, mode, extract }: Reference): string =>
-  `${modelKey(model)} ${edgeLength} ${seed} ${featureAngle} ${mode} ${extract}`;
+const madeOf = (model: ModelRef, reference: Reference): string =>
+  `${modelKey(model)} ${JSON.stringify(Object.entries(reference).sort())}`;
 
 export class App {
   readonly view = new Store<ViewState>(defaultState);

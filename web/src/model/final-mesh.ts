@@ -55,21 +55,34 @@ export function elementCount(result: RunResult, { intervals, ofSurface }: Refine
   return total;
 }
 
+/** For each D̄-surface of the mesh that is handed out the one of the layered mesh: itself, or what it was split from. */
+export function layeredSurface({ mesh }: RunResult): (surface: number) => number {
+  const from = new Map<number, number>();
+  for (let k = 0; k < (mesh?.inserted.length ?? 0); k += 2)
+    from.set(mesh!.inserted[k]!, mesh!.inserted[k + 1]!);
+  return (surface) => {
+    let own = surface;
+    for (let next = from.get(own); next !== undefined; next = from.get(own)) own = next;
+    return own;
+  };
+}
+
 /**
- * The block of the layered mesh that each block was: extraction takes blocks away and makes none. They are found again by
- * their part and the D̄-surfaces that cross them.
+ * The block of the layered mesh that each block was, or is a piece of: extraction takes blocks away, insertion splits
+ * them. They are found again by their part and the D̄-surfaces that cross them.
  */
 export function layeredBlocks(result: RunResult): Int32Array {
   const { dimension, mesh, primal } = result;
   if (!mesh) return Int32Array.from(primal.blockPart, (_, block) => block);
   const key = (part: number, surfaces: Iterable<number>): string => `${part}:${Array.from(surfaces).join()}`;
   const known = new Map<string, number>();
+  const layered = layeredSurface(result);
   const surfaces = layeredSurfaces(result);
   primal.blockPart.forEach((part, block) => {
     known.set(key(part, surfaces.subarray(dimension * block, dimension * (block + 1))), block);
   });
   return Int32Array.from(mesh.blockPart, (part, block) => {
     const own = mesh.blockSurfaces.subarray(dimension * block, dimension * (block + 1));
-    return known.get(key(part, own)) ?? -1;
+    return known.get(key(part, own.map(layered))) ?? -1;
   });
 }

@@ -144,6 +144,12 @@ export function validState(given: unknown): ViewState {
       extract: Array.isArray(reference['extract'])
         ? reference['extract'].slice(0, 2000).flatMap((x) => count(x) ?? [])
         : [],
+      insert: Array.isArray(reference['insert'])
+        ? reference['insert'].slice(0, 100).flatMap((x) => {
+            const facet = count(record(x)['facet']);
+            return facet === null ? [] : [{ facet, share: number(record(x)['share'], 0.01, 0.99, 0.3) }];
+          })
+        : [],
     },
     timeLimit: number(s['timeLimit'], 0, huge, 0),
     step: oneOf(s['step'], stepIds, d.step),

@@ -90,6 +90,8 @@ export interface Reference {
   mode: Mode;
   /** D̄-surfaces that are extracted from it first, in this order. */
   extract: readonly number[];
+  /** Facets of the input along whose sides one is inserted, at last. */
+  insert: readonly { facet: number; share: number }[];
 }
 
 export interface ViewState {
@@ -136,7 +138,7 @@ export const firstExample = 'square_ring';
 
 export const defaultState: ViewState = {
   model: { source: 'example', name: firstExample },
-  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered', extract: [] },
+  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered', extract: [], insert: [] },
   timeLimit: 0,
   step: 8,
   compare: null,
