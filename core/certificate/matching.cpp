@@ -12,27 +12,48 @@ namespace {
 /// The mask over the face's nodes in ascending order of node number, then the surface, in one number.
 using Trace = std::uint64_t;
 
-template <int N> void tracesOn(const CertificateInput<N> &in, Index s, int face, std::vector<Trace> &traces) {
+/// Each simplex's vertices by the order of their node numbers, which its neighbours see alike.
+template <int N> struct Ranks {
+  std::vector<std::array<std::uint8_t, N + 1>> ofVertex; // per simplex
+  std::vector<std::uint8_t> masks;                       // per contribution: its vertices' ranks
+
+  explicit Ranks(const CertificateInput<N> &in) : ofVertex(in.mesh.simplices.size()) {
+    masks.reserve(in.contributions.ofSimplex.items.size());
+    for (Index s = 0; s < in.mesh.simplexCount(); ++s) {
+      auto &rank = ofVertex[at(s)];
+      const auto &nodes = in.mesh.simplices[at(s)];
+      for (int v = 0; v < N + 1; ++v)
+        for (int w = 0; w < N + 1; ++w)
+          if (nodes[w] < nodes[v]) ++rank[at(v)];
+      const Contribution *const end = in.contributions.ofSimplex.end(s);
+      for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != end; ++c) {
+        unsigned mask = 0;
+        for (int v = 0; v < N + 1; ++v)
+          if (c->mask >> v & 1) mask |= 1U << rank[at(v)];
+        masks.push_back(static_cast<std::uint8_t>(mask));
+      }
+    }
+  }
+};
+
+template <int N>
+void tracesOn(const CertificateInput<N> &in, const Ranks<N> &ranks, Index s, int face,
+              std::vector<Trace> &traces) {
   traces.clear();
-  const auto &nodes = in.mesh.simplices[at(s)];
-  // Rank of each vertex among the face's nodes.
-  std::array<unsigned, N + 1> rank{};
-  for (int v = 0; v < N + 1; ++v)
-    for (int w = 0; w < N + 1; ++w)
-      if (v != face && w != face && nodes[w] < nodes[v]) ++rank[v];
-  for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != in.contributions.ofSimplex.end(s);
-       ++c) {
-    unsigned mask = 0;
-    for (int v = 0; v < N + 1; ++v)
-      if (v != face && (c->mask >> v & 1)) mask |= 1U << rank[v];
-    if (mask == 0 || mask == (1U << N) - 1) continue; // misses the face, or runs parallel to it
-    traces.push_back(Trace{mask} << 32 | at(in.surfaces.ofSide[at(c->side)]));
+  const unsigned off = ranks.ofVertex[at(s)][at(face)];
+  const Lists<Contribution> &all = in.contributions.ofSimplex;
+  for (std::size_t c = at(all.offsets[at(s)]); c < at(all.offsets[at(s) + 1]); ++c) {
+    const unsigned mask = ranks.masks[c];
+    const unsigned onFace = (mask & ((1U << off) - 1)) | (mask >> (off + 1)) << off;
+    if (onFace == 0 || onFace == (1U << N) - 1) continue; // misses the face, or runs parallel to it
+    traces.push_back(Trace{onFace} << 32 | at(in.surfaces.ofSide[at(all.items[c].side)]));
   }
 }
 
 } // namespace
 
 template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &certificate) {
+  const Ranks<N> ranks(in);
   std::vector<Trace> left;
   std::vector<Trace> right;
   for (const NotFull &n : in.contributions.notFull)
@@ -60,8 +81,8 @@ template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &
         const auto &mine = in.mesh.simplices[at(s)];
         if (std::find(mine.begin(), mine.end(), in.mesh.simplices[at(t)][v]) == mine.end()) k = v;
       }
-      tracesOn(in, s, i, left);
-      tracesOn(in, t, k, right);
+      tracesOn(in, ranks, s, i, left);
+      tracesOn(in, ranks, t, k, right);
       if (left == right) continue; // within a part, where both list the same sides
       sortItems(left);
       sortItems(right);
