@@ -69,20 +69,21 @@ template <int N>
   for (int round = 0; round < kRepairRounds; ++round) {
     clock.start("contributions", 0.5);
     r.contributions = assignContributions(r.mesh, r.parts, contributions);
-    contributions = {};
+    bool isInside = false; // whether the repair stays inside of parts
     Index added = 0;
     if (!r.contributions.notFull.empty()) {
       added = repairFullness(r.mesh, r.parts, r.contributions.notFull);
     } else {
       clock.start("dual", 0.6);
       r.dual = buildDualCells(r.mesh, r.parts, r.contributions, dual);
-      dual = {};
       if (r.dual.surplus.empty()) {
         r.surfaces = buildDualSurfaces(r.parts);
         return true;
       }
       added = repairBubbles(r.mesh, r.parts, r.dual);
-      if (!r.dual.overfull) {
+      // Where each face is a side, sides count on their simplices; and plane meshes are quick without.
+      isInside = N == 3 && !r.dual.overfull && !partOptions.everyFace;
+      if constexpr (N == 3) {
         contributions.found = std::move(r.contributions);
         dual.found = std::move(r.dual);
       }
@@ -91,10 +92,8 @@ template <int N>
     r.repairs += added;
     everyFace.resize(r.mesh.simplices.size(), false);
     clock.start("parts", 0.4);
-    // Repairs of bubbles stay inside their parts. (Those with a side per face count on their simplices.)
     Earlier<Parts<N>> parts;
-    if (contributions.found.ofSimplex.count() > 0 && !partOptions.everyFace)
-      parts = earlierParts(r.mesh, std::move(r.parts));
+    if (isInside) parts = earlierParts(r.mesh, std::move(r.parts));
     r.parts = buildParts(r.mesh, partOptions, parts);
     contributions.holds = dual.holds = std::move(parts.holds);
     contributions.holds.resize(r.parts.parts.size(), false);

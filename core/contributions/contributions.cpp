@@ -94,7 +94,8 @@ Contributions<N> assignContributions(const ReferenceMesh<N> &mesh, const Parts<N
   result.soft.assign(count, 0);
   std::vector<Contribution> here;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
-    const bool isKnown = s < earlier.found.ofSimplex.count() && earlier.holds[at(parts.partOfSimplex[at(s)])];
+    const bool isKnown =
+        N == 3 && s < earlier.found.ofSimplex.count() && earlier.holds[at(parts.partOfSimplex[at(s)])];
     if (isKnown) here.assign(earlier.found.ofSimplex.begin(s), earlier.found.ofSimplex.end(s));
     else findSides(mesh, parts, s, here);
     for (const Contribution &c : here) {

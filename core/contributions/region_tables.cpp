@@ -82,8 +82,6 @@ template <int N> const RegionTables<N> &RegionTables<N>::get() {
 
 template <int N> typename RegionTables<N>::Classes RegionTables<N>::classes(ContributionSet present) const {
   Classes result;
-  result.inside.reserve(regions_.size());
-  result.steps.reserve(4 * regions_.size());
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const ContributionSet inside = regions_[r] & present;
     auto at = std::find(result.inside.begin(), result.inside.end(), inside);

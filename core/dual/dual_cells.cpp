@@ -79,7 +79,7 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   // Inside the parts first: pieces, in the order of their first places.
   const Index knownCount = toIndex(std::max(earlier.found.classOffset.size(), std::size_t{1})) - 1;
   const auto isKnown = [&](Index s) {
-    return s < knownCount && earlier.holds[at(parts.partOfSimplex[at(s)])];
+    return N == 3 && s < knownCount && earlier.holds[at(parts.partOfSimplex[at(s)])];
   };
   DisjointSets sets(at(offset.back()));
   for (Index s = 0; s < mesh.simplexCount(); ++s)
@@ -109,7 +109,7 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   dual.partOffset.assign(1, 0);
   std::vector<Index> rank(made.size());
   for (Index part = 0, next = 0; part < toIndex(parts.parts.size()); ++part) {
-    if (at(part) < earlier.holds.size() && earlier.holds[at(part)])
+    if (N == 3 && at(part) < earlier.holds.size() && earlier.holds[at(part)])
       dual.pieces.insert(dual.pieces.end(), earlier.found.pieces.begin() + earlier.found.partOffset[at(part)],
                          earlier.found.pieces.begin() + earlier.found.partOffset[at(part) + 1]);
     for (; at(next) < made.size() && made[at(next)].part == part; ++next) {

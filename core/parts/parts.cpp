@@ -129,7 +129,7 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
   auto known = earlier.found.curves.begin();
   for (Index side = 0; side < toIndex(parts.sides.size()); ++side) {
     const Index part = parts.sides[at(side)].part;
-    if (!earlier.holds.empty() && earlier.holds[at(part)]) {
+    if (N == 3 && !earlier.holds.empty() && earlier.holds[at(part)]) {
       for (; known != earlier.found.curves.end() && known->part <= part; ++known) {
         if (known->part < part) continue;
         Curve<N> &curve = parts.curves.emplace_back(*known);
@@ -232,7 +232,7 @@ template <int N>
 void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::vector<Index> &sideOf,
                 const Earlier<Parts<N>> &earlier) {
   const auto blame = [&](Index part, const char *why) {
-    if (!earlier.holds.empty() && earlier.holds[at(part)]) return;
+    if (N == 3 && !earlier.holds.empty() && earlier.holds[at(part)]) return;
     PartInfo &info = parts.parts[at(part)];
     if (info.simple) info.why = why;
     info.simple = false;
@@ -304,15 +304,15 @@ Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     parts.parts[at(parts.partOfSimplex[at(s)])].region = mesh.region[at(s)];
   const auto holds = [&](Index s) {
-    return !earlier.holds.empty() && earlier.holds[at(parts.partOfSimplex[at(s)])];
+    return N == 3 && !earlier.holds.empty() && earlier.holds[at(parts.partOfSimplex[at(s)])];
   };
-  for (std::size_t p = 0; p < earlier.holds.size(); ++p)
+  for (std::size_t p = 0; N == 3 && p < earlier.holds.size(); ++p)
     if (earlier.holds[p]) parts.parts[p] = earlier.found.parts[p];
 
   // Sides: boundary faces of one part joined over ridges where the surface goes on.
   const BoundaryFaces<N> boundary = findBoundaryFaces(mesh, holds);
   DisjointSets joined(boundary.faces.size());
-  for (Index side = 0; side < toIndex(earlier.found.sides.size()); ++side) {
+  for (Index side = 0; N == 3 && side < toIndex(earlier.found.sides.size()); ++side) {
     if (!earlier.holds[at(earlier.found.sides[at(side)].part)]) continue;
     const FaceRef<N> *const first = earlier.found.sideFaces.begin(side);
     for (const FaceRef<N> *f = first; f != earlier.found.sideFaces.end(side); ++f)

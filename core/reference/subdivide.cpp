@@ -70,13 +70,9 @@ public:
   void relink() {
     for (const Index s : affected_)
       for (int i = 0; i < N + 1; ++i) halves_.push_back({mesh_.sortedFace(s, i), s, i});
-    const auto less = [](const HalfFace &a, const HalfFace &b) {
+    sortItems(halves_, [](const HalfFace &a, const HalfFace &b) {
       return std::tie(a.key, a.simplex) < std::tie(b.key, b.simplex);
-    };
-    if (halves_.size() < mesh_.nodes.size()) sortItems(halves_, less);
-    else
-      sortByIndex(
-          halves_, mesh_.nodes.size(), [](const HalfFace &h) { return h.key[0]; }, less);
+    });
     for (std::size_t h = 0; h + 1 < halves_.size(); ++h) {
       if (halves_[h].key != halves_[h + 1].key) continue;
       mesh_.neighbors[at(halves_[h].simplex)][halves_[h].face] = halves_[h + 1].simplex;
