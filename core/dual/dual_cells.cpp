@@ -105,13 +105,12 @@ DualCells<N> buildDualCells(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
   // Their order by part and label.
   sortByIndex(
       made, parts.parts.size(), [](const CellPiece<N> &piece) { return piece.part; }, labelLess<N>);
-  dual.pieces.reserve(made.size() + earlier.found.pieces.size());
   dual.partOffset.assign(1, 0);
   std::vector<Index> rank(made.size());
   for (Index part = 0, next = 0; part < toIndex(parts.parts.size()); ++part) {
     if (N == 3 && at(part) < earlier.holds.size() && earlier.holds[at(part)])
-      dual.pieces.insert(dual.pieces.end(), earlier.found.pieces.begin() + earlier.found.partOffset[at(part)],
-                         earlier.found.pieces.begin() + earlier.found.partOffset[at(part) + 1]);
+      for (Index p = earlier.found.partOffset[at(part)]; p < earlier.found.partOffset[at(part) + 1]; ++p)
+        dual.pieces.push_back(earlier.found.pieces[at(p)]);
     for (; at(next) < made.size() && made[at(next)].part == part; ++next) {
       rank[at(made[at(next)].cell)] = toIndex(dual.pieces.size());
       dual.pieces.push_back(made[at(next)]);

@@ -132,12 +132,11 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
     if (N == 3 && !earlier.holds.empty() && earlier.holds[at(part)]) {
       for (; known != earlier.found.curves.end() && known->part <= part; ++known) {
         if (known->part < part) continue;
-        Curve<N> &curve = parts.curves.emplace_back(*known);
-        curve.ridges = {store.ridges.data() + store.ridges.size(), known->ridges.size()};
-        store.ridges.insert(store.ridges.end(), known->ridges.begin(), known->ridges.end());
-        if (known->frames.empty()) continue;
-        framed.push_back(parts.curves.size() - 1);
-        store.frames.insert(store.frames.end(), known->frames.begin(), known->frames.end());
+        if (!known->frames.empty()) framed.push_back(parts.curves.size());
+        for (const RidgeFrame<N> &frame : known->frames) store.frames.push_back(frame);
+        parts.curves.push_back(*known);
+        parts.curves.back().ridges = {store.ridges.data() + store.ridges.size(), known->ridges.size()};
+        for (const auto &ridge : known->ridges) store.ridges.push_back(ridge);
       }
       continue;
     }
