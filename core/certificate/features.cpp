@@ -1,7 +1,6 @@
 // Check 5: the blocks keep the domain's features. Each vertex is a primal node, each curve a chain of primal
 // edges, each facet a union of primal faces; and the blocks around each curve are counted against the ideal.
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/sort.h"
@@ -98,19 +97,9 @@ void checkFeatures(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
   slanted = glm::normalize(slanted);
   std::vector<std::pair<double, Index>> byHeight;
   byHeight.reserve(in.blocks.positions.size());
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Vec<N> &x : in.blocks.positions) {
+  for (const Vec<N> &x : in.blocks.positions)
     byHeight.emplace_back(glm::dot(x, slanted), toIndex(byHeight.size()));
-    low = std::min(low, byHeight.back().first);
-    high = std::max(high, byHeight.back().first);
-  }
-  const double count = static_cast<double>(byHeight.size());
-  sortByIndex(byHeight, byHeight.size() + 1,
-              [&](const auto &node) { // by its place if they were spread evenly
-                const double place = (node.first - low) / (high - low) * count;
-                return static_cast<std::size_t>(place < count ? place : count);
-              });
+  sortItems(byHeight);
   for (const Corner &corner : in.features.corners) {
     const Vec<N> x = in.featureNodes[at(corner.node)];
     const double height = glm::dot(x, slanted);
