@@ -26,6 +26,29 @@ function verdictsOn(name: string, format: string, settings: Partial<Settings>) {
 
 const meshed = examples.filter(({ name }) => !name.startsWith('figure_12')).map(({ name }) => name);
 
+describe('inserted D̄-surfaces', () => {
+  it('give meshes that pass the checker, in thin layers along the facet', () => {
+    for (const mode of ['layered', 'coarsest'] as const)
+      for (const name of ['tapered_brick', 'house', 'box_on_box', 'two_holes_2d']) {
+        const settings = { mode, insert: [{ facet: 0, share: 0.2 }] };
+        const before = runExample(core, name, { mode });
+        const result = runExample(core, name, settings);
+        expect(result.mesh!.inserted.length).toBeGreaterThan(0);
+        expect(result.mesh!.quality.length).toBeGreaterThan((before.mesh ?? before.primal).quality.length);
+        expect(verdictsOn(name, 'vtk', settings).failures).toEqual([]);
+      }
+  });
+
+  it('are refused where they cannot be', () => {
+    const refused = (facet: number, share: number) =>
+      errorOf(() => runExample(core, 'house', { insert: [{ facet, share }] }));
+    expect(refused(99, 0.5)).toMatchObject({ code: 'badOption', entities: [{ kind: 'facet', index: 99 }] });
+    for (const share of [0, 1, -1, Number.NaN])
+      expect(refused(0, share)).toMatchObject({ code: 'badOption' });
+    expect(runExample(core, 'house').mesh).toBeNull(); // and the domain is still there
+  });
+});
+
 describe('the coarsest mesh', () => {
   it.each(meshed)('of %s has no more blocks, and passes the checker', (name) => {
     const layered = runExample(core, name);

@@ -147,6 +147,29 @@ describe('intervals', () => {
   });
 });
 
+describe('insertion', () => {
+  it('splits the layer along the selected facet, and is undone', async () => {
+    const opened = await openMesh('tapered_brick');
+    const { page } = opened;
+    await setView(page, { refine: 1, selection: { kind: 'facet', id: 0 } });
+    await page.getByRole('button', { name: 'Insert along facet 0' }).click();
+    await settle(page);
+    expect([await elements(page), await surfaces(page)]).toEqual([12, 7]);
+    expect((await viewOf(page)).reference.insert).toEqual([{ facet: 0, share: 0.3 }]);
+    // Pieces of a block know which one they were.
+    const blocks = await page.evaluate(() => [...dualblock.stage.scene!.refinement!.block]);
+    expect(new Set(blocks)).toEqual(new Set([0, 1, 2, 3, 4, 5, 6, 7]));
+    await page.getByRole('button', { name: 'Take the last inserted one out' }).click();
+    await settle(page);
+    expect([await elements(page), await surfaces(page)]).toEqual([8, 6]);
+    await page.evaluate(() => dualblock.undo());
+    await settle(page);
+    expect(await elements(page)).toBe(12);
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
 describe('gradings', () => {
   it('are set at the selected facet, changed and taken away', async () => {
     const opened = await openMesh('tapered_brick');

@@ -17,7 +17,14 @@ import {
 const rich: ViewState = {
   ...defaultState,
   model: { source: 'file', name: 'a part – ü.off', hash: '00ff' },
-  reference: { edgeLength: 0.25, seed: 7, featureAngle: 22.5, mode: 'coarsest', extract: [4, 0] },
+  reference: {
+    edgeLength: 0.25,
+    seed: 7,
+    featureAngle: 22.5,
+    mode: 'coarsest',
+    extract: [4, 0],
+    insert: [{ facet: 2, share: 0.2 }],
+  },
   timeLimit: 90,
   step: 6,
   compare: 3,
@@ -131,7 +138,14 @@ describe('validation', () => {
     const state = validState({
       ...rich,
       model: { source: 'example', name: '../../secret' },
-      reference: { edgeLength: -1, seed: 2.5, featureAngle: 270, mode: 'fine', extract: [1, 'x', -2] },
+      reference: {
+        edgeLength: -1,
+        seed: 2.5,
+        featureAngle: 270,
+        mode: 'fine',
+        extract: [1, 'x', -2],
+        insert: [{}, { facet: 3, share: 2 }],
+      },
       timeLimit: -3,
       camera: { ...rich.camera, position: [1e300, 0, 0] },
       slice: { ...rich.slice, normal: [0, 0, 0] },
@@ -153,7 +167,14 @@ describe('validation', () => {
     });
     expect(state).toMatchObject({
       model: defaultState.model,
-      reference: { edgeLength: 0, seed: 3, featureAngle: 180, mode: 'layered', extract: [1, 0] },
+      reference: {
+        edgeLength: 0,
+        seed: 3,
+        featureAngle: 180,
+        mode: 'layered',
+        extract: [1, 0],
+        insert: [{ facet: 3, share: 0.99 }],
+      },
       timeLimit: 0,
       camera: null,
       slice: null,
@@ -175,14 +196,14 @@ describe('validation', () => {
       'no angle and no limit, as in older links',
       { reference: { edgeLength: 1, seed: 2 } },
       {
-        reference: { edgeLength: 1, seed: 2, featureAngle: 'auto', mode: 'layered', extract: [] },
+        reference: { edgeLength: 1, seed: 2, featureAngle: 'auto', mode: 'layered', extract: [], insert: [] },
         timeLimit: 0,
       },
     ],
     [
       'an angle of 0, which is not auto',
       { reference: { featureAngle: 0 } },
-      { reference: { edgeLength: 0, seed: 0, featureAngle: 0, mode: 'layered', extract: [] } },
+      { reference: { edgeLength: 0, seed: 0, featureAngle: 0, mode: 'layered', extract: [], insert: [] } },
     ],
     [
       'an angle and a limit in words',

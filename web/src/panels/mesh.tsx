@@ -8,6 +8,8 @@ import { useApp, useUi, useView } from './hooks.ts';
 
 /** Most that a slider reaches; links may ask for more. */
 const sliderIntervals = 32;
+/** Of the layer that is split, what the new one gets. */
+const newShare = 0.3;
 /** D̄-surfaces that are listed. */
 const longestList = 300;
 
@@ -22,7 +24,7 @@ export function MeshPanel() {
       <Blocks />
       <Intervals />
       <Surfaces />
-      <Gradings />
+      <BoundaryLayers />
     </>
   );
 }
@@ -30,7 +32,7 @@ export function MeshPanel() {
 /** Which mesh is handed out: steps 1 to 8 show the layered one all the same. */
 function Blocks() {
   const app = useApp();
-  const { mode, extract } = useView((s) => s.reference);
+  const { mode, extract, insert } = useView((s) => s.reference);
   const { mesh } = app.model!.result;
   return (
     <section aria-label="Blocks">
@@ -46,12 +48,17 @@ function Blocks() {
       />
       <p class="hint">
         {mesh
-          ? `${mesh.extracted.length} D̄-surfaces extracted, ${mesh.quality.length} block(s) left: step 9 shows them, and files hold them.`
+          ? `${mesh.extracted.length} D̄-surfaces extracted, ${mesh.inserted.length / 2} inserted, ${mesh.quality.length} block(s): step 9 shows them, and files hold them.`
           : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
       </p>
       {extract.length > 0 && (
         <button type="button" onClick={() => void app.setReference({ extract: extract.slice(0, -1) })}>
           Put D̄-surface {extract.at(-1)} back
+        </button>
+      )}
+      {insert.length > 0 && (
+        <button type="button" onClick={() => void app.setReference({ insert: insert.slice(0, -1) })}>
+          Take the last inserted one out
         </button>
       )}
     </section>
@@ -157,15 +164,20 @@ function Surfaces() {
   );
 }
 
-/** Facets that elements get smaller towards. */
-function Gradings() {
+/** What goes along sides: layers of blocks, and facets that elements get smaller towards. */
+function BoundaryLayers() {
   const app = useApp();
-  const { selection, gradings } = useView((s) => s);
-  const facetName = app.model!.result.dimension === 2 ? 'segment' : 'facet';
+  const { selection, gradings, reference } = useView((s) => s);
+  const { dimension, domain } = app.model!.result;
+  const facetName = dimension === 2 ? 'segment' : 'facet';
   const chosen = selection?.kind === 'facet' ? selection.id : null;
   return (
-    <section aria-label="Grading">
-      <h3>Grading</h3>
+    <section aria-label="Boundary layers">
+      <h3>Boundary layers</h3>
+      <p class="hint">
+        Select a {facetName} in step 1. Elements can get larger by a factor from one to the next, away from
+        it; and a D̄-surface can be inserted along its side, which splits the layer of blocks there.
+      </p>
       {Object.entries(gradings).map(([facet, growth]) => (
         <div class="grading" key={facet}>
           <Slider
@@ -198,10 +210,16 @@ function Gradings() {
       >
         {chosen === null ? `Grade towards a selected ${facetName}` : `Grade towards ${facetName} ${chosen}`}
       </button>
-      <p class="hint">
-        Elements get larger by this factor from one to the next, away from the {facetName}. Select one in step
-        1.
-      </p>
+      <button
+        type="button"
+        disabled={chosen === null}
+        onClick={() => {
+          const along = { facet: domain.facetOfGiven.indexOf(chosen!), share: newShare };
+          void app.setReference({ insert: [...reference.insert, along] });
+        }}
+      >
+        {chosen === null ? `Insert along a selected ${facetName}` : `Insert along ${facetName} ${chosen}`}
+      </button>
     </section>
   );
 }
