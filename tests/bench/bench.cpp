@@ -1,14 +1,17 @@
-// One measured run: dualblock-bench CASE EDGE MODE, where CASE is cube or scaffold and EDGE the edge length
-// of the reference mesh. MODE "run" runs the pipeline, "tetgen" TetGen alone, so that its own peak memory is
-// seen; both print one line of JSON. "off" prints the domain, for other programs. tests/bench/bench.mjs calls
-// it.
+// One measured run: dualblock-bench CASE EDGE MODE, where CASE is cube, scaffold or cells and EDGE the edge
+// length of the reference mesh, 0 for the coarsest. MODE "run" runs the pipeline without relaxation, "tetgen"
+// TetGen alone, so that its own peak memory is seen, "mesh" relaxes the blocks and refines them to a million
+// elements; each prints one line of JSON. "off" prints the domain, for other programs. tests/bench/bench.mjs
+// calls it.
 #include <sys/resource.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
+#include <random>
 
 #include "domain/prepare.h"
 #include "pipeline.h"
@@ -27,7 +30,7 @@ double peakMegabytes() {
 
 void printOff(const Domain<3> &domain) {
   std::printf("OFF\n%zu %zu 0\n", domain.vertices.size(), domain.facets.size());
-  for (const Vec<3> &v : domain.vertices) std::printf("%g %g %g\n", v.x, v.y, v.z);
+  for (const Vec<3> &v : domain.vertices) std::printf("%.17g %.17g %.17g\n", v.x, v.y, v.z);
   for (const Facet &f : domain.facets)
     std::printf("4 %d %d %d %d\n", f.loops[0][0], f.loops[0][1], f.loops[0][2], f.loops[0][3]);
 }
@@ -46,6 +49,7 @@ int measureTetgen(const Domain<3> &domain, double edge) {
 int measureRun(const Domain<3> &domain, double edge) {
   PipelineOptions options;
   options.edgeLength = edge;
+  options.mode.relax = false;
   const auto run = runPipeline<3>(domain, options);
   if (!run.ok()) {
     std::fprintf(stderr, "%s\n", run.error().message.c_str());
@@ -64,19 +68,65 @@ int measureRun(const Domain<3> &domain, double edge) {
   return 0;
 }
 
+/// 1,300 cells of a grid of 14 by 14 by 14 planes at random distances: about 10,000 blocks of all sizes.
+Domain<3> cells() {
+  constexpr int kGrid = 14;
+  std::mt19937 random(1);
+  std::vector<bool> isFull(kGrid * kGrid * kGrid, false);
+  for (int count = 0; count < 1300;) {
+    const std::size_t cell = random() % isFull.size();
+    if (isFull[cell]) continue;
+    isFull[cell] = true;
+    ++count;
+  }
+  Domain<3> domain = test::voxelDomain(
+      kGrid, [&](int i, int j, int k) { return isFull[at((i * kGrid + j) * kGrid + k)] ? 1 : 0; });
+  std::array<std::array<double, kGrid + 1>, 3> planes{};
+  for (auto &along : planes)
+    for (int k = 0; k < kGrid; ++k)
+      along[at(k + 1)] = along[at(k)] + 1 + static_cast<double>(random() % 1000) / 1000;
+  for (Vec<3> &v : domain.vertices)
+    for (int a = 0; a < 3; ++a) v[a] = planes[at(a)][static_cast<std::size_t>(v[a])];
+  return domain;
+}
+
+int measureMesh(const Domain<3> &domain, double edge) {
+  PipelineOptions options;
+  options.edgeLength = edge;
+  const auto run = runPipeline<3>(domain, options);
+  if (!run.ok() || !run.value().certificate.valid) return 1;
+  double relaxation = 0;
+  for (const StageTime &t : run.value().timings)
+    if (std::strcmp(t.stage, "relaxation") == 0) relaxation = t.milliseconds;
+  RefineOptions wanted;
+  const auto blocks = static_cast<double>(run.value().primal.blocks.size());
+  wanted.intervals = static_cast<Index>(std::ceil(std::cbrt(1e6 / blocks)));
+  const auto start = std::chrono::steady_clock::now();
+  const auto refined = refineResult(run.value(), wanted);
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  if (!refined.ok()) return 1;
+  std::printf(
+      "{\"blocks\": %.0f, \"relaxation\": %.1f, \"intervals\": %d, \"elements\": %zu, \"refinement\": "
+      "%.1f}\n",
+      blocks, relaxation, wanted.intervals, refined.value().elements.size(), took.count());
+  return 0;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
   if (argc != 4) {
-    std::fprintf(stderr, "usage: dualblock-bench cube|scaffold EDGE run|tetgen|off\n");
+    std::fprintf(stderr, "usage: dualblock-bench cube|scaffold|cells EDGE run|tetgen|mesh|off\n");
     return 2;
   }
   const bool isCube = std::strcmp(argv[1], "cube") == 0;
   const auto full = [](int, int, int) { return true; };
-  const Domain<3> domain = isCube ? test::voxelDomain(1, full) : test::scaffold(20, 4);
+  const bool isCells = std::strcmp(argv[1], "cells") == 0;
+  const Domain<3> domain = isCells ? cells() : isCube ? test::voxelDomain(1, full) : test::scaffold(20, 4);
   const double edge = std::atof(argv[2]);
   if (std::strcmp(argv[3], "tetgen") == 0) return measureTetgen(domain, edge);
   if (std::strcmp(argv[3], "run") == 0) return measureRun(domain, edge);
+  if (std::strcmp(argv[3], "mesh") == 0) return measureMesh(domain, edge);
   printOff(domain);
   return 0;
 }

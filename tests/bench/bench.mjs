@@ -2,6 +2,7 @@
 // (the machine's speed drops out), with peak memory. Prints the table that the README shows.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { runnerImport } from 'vite';
 
 const program = 'build/native/dualblock-bench';
 // Edge lengths that give about 200,000 and 1,000,000 tetrahedra.
@@ -29,16 +30,25 @@ function wasm(name, edge) {
   return JSON.parse(execFileSync(child[0], child[1], { maxBuffer: 2 ** 28 }));
 }
 
+const root = new URL('../../', import.meta.url);
+const bytesOf = (path) => readFileSync(new URL(path, root));
+const load = async (path) => (await runnerImport(new URL(path, root).pathname)).module;
+
 async function measureWasm(name, edge) {
-  const { default: createDualblock } = await import('../../wasm/build/dualblock.mjs');
-  const wasmBinary = readFileSync(new URL('../../wasm/build/dualblock.wasm', import.meta.url));
-  const module = await createDualblock({ wasmBinary, print: () => {} });
-  const session = new module.Session();
-  session.load('off', native(name, edge, 'off'));
-  const r = session.run({ edgeLength: edge, seed: 0, tolerance: 1e-6, featureAngle: -1, timeLimit: 0 }, null);
-  if (!r.ok) throw new Error(r.error.message);
-  const peak = module.HEAPU8.length / 2 ** 20;
-  return { filled: r.reference.filled, valid: r.certificate.valid, timings: r.timings, peak };
+  const { Dualblock } = await load('wasm/dualblock.ts');
+  const core = await Dualblock.create({ wasmBinary: bytesOf('wasm/build/dualblock.wasm') });
+  core.load('a.off', native(name, edge, 'off'));
+  const r = core.run({ edgeLength: edge, relax: name === 'cells' });
+  const peak = core.memory().peak / 2 ** 20;
+  const { timings } = r;
+  if (name !== 'cells') return { filled: r.reference.filled, valid: r.certificate.valid, timings, peak };
+  const { Refiner, refineInput } = await load('wasm/refine.ts');
+  const refiner = await Refiner.create({ wasmBinary: bytesOf('wasm/build/refinement.wasm') });
+  const blocks = r.primal.quality.length;
+  const start = performance.now();
+  const refined = refiner.refine(refineInput(r), { intervals: Math.ceil(Math.cbrt(1e6 / blocks)) });
+  const refinement = performance.now() - start;
+  return { blocks, relaxation: timings.relaxation, elements: refined.quality.length, refinement };
 }
 
 const ratio = (x) => x.toFixed(3);
@@ -80,10 +90,26 @@ function table() {
   return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n');
 }
 
+/** Relaxation and refinement, each over what it works on. */
+function meshTable() {
+  const run = JSON.parse(native('cells', 0, 'mesh'));
+  const web = wasm('cells', 0);
+  if (web.blocks !== run.blocks || web.elements !== run.elements) throw new Error('WASM differs');
+  const row = (what, count, unit, a, b) =>
+    `| ${[what, `${count.toLocaleString('en')} ${unit}`, (a / 1000).toFixed(2), ((1e6 * a) / count).toFixed(0), (b / 1000).toFixed(2), ((1e6 * b) / count).toFixed(0)].join(' | ')} |`;
+  return [
+    '| | | native, s | ns each | WASM, s | ns each |',
+    '| --- | --: | --: | --: | --: | --: |',
+    row('relaxation', run.blocks, 'blocks', run.relaxation, web.relaxation),
+    row('refinement', run.elements, 'elements', run.refinement, web.refinement),
+  ].join('\n');
+}
+
 const [mode, name, edge] = process.argv.slice(2);
 if (mode === 'wasm') console.log(JSON.stringify(await measureWasm(name, Number(edge))));
 else {
   console.log(table());
   console.log('\nStages: time as a share of TetGen in the same run. memory: peak over that of TetGen alone.');
-  console.log('WASM: time over the native time, of the whole run and of the stages after TetGen.');
+  console.log('WASM: time over the native time, of the whole run and of the stages after TetGen.\n');
+  console.log(meshTable());
 }

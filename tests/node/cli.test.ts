@@ -92,6 +92,7 @@ describe('a certified mesh', () => {
       tolerance: 1e-7,
       mode: 'layered',
       extract: [],
+      insert: [],
       relax: true,
     });
     expect(report.reference.refinement).toBe(0.9);

@@ -33,7 +33,7 @@ export const options = {
   insert: {
     value: 'FACET=SHARE',
     repeatable: true,
-    help: 'split the layer along a facet, this share of it next to the facet; may be repeated',
+    help: 'split the layer along a facet, SHARE of it next to that; may be repeated',
   },
   'no-relax': { help: 'leave nodes where they are placed first' },
   refine: {
