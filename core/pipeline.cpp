@@ -15,6 +15,7 @@
 namespace dualblock {
 namespace {
 
+constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4; // then all components fall back
 
@@ -103,11 +104,19 @@ template <int N>
 }
 
 /// The primal's nodes, moved to where its blocks have a better shape.
-template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r) {
+template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r, bool history) {
   BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
   const bool hasSimplices = r.fallbackComponents + r.pulledComponents > 0;
   const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks, hasSimplices);
-  relax(freedom, blocks, {});
+  RelaxOptions options;
+  const auto keep = [&] {
+    r.history.insert(r.history.end(), blocks.positions.begin(), blocks.positions.end());
+  };
+  if (history && blocks.nodeCount() <= kLongestHistory) {
+    keep();
+    options.onRound = keep;
+  }
+  relax(freedom, blocks, options);
   r.primal.positions = std::move(blocks.positions);
 }
 
@@ -120,7 +129,8 @@ template <int N>
   std::vector<Vec<N>> placed = r.primal.positions;
   if (options.mode.relax) {
     clock.start("relaxation", 0.85);
-    relaxPrimal(r);
+    r.history.clear();
+    relaxPrimal(r, options.history);
   }
   clock.start("certificate", 0.9);
   const auto judge = [&] {
@@ -131,6 +141,7 @@ template <int N>
   if (!r.certificate.valid &&
       options.mode.relax) { // where bent sides nearly touch, the first places may serve better
     std::swap(r.primal.positions, placed);
+    r.history.clear();
     const Certificate relaxed = std::move(r.certificate);
     judge();
     if (!r.certificate.valid) {

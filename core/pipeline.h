@@ -18,6 +18,7 @@ struct PipelineOptions {
   double tolerance = 1e-6;  // of planarity, relative to the domain's size
   double timeLimit = 0;     // seconds for the whole run; 0: none
   ModeOptions mode{};       // of the mesh that is handed out
+  bool history = false;     // keep where nodes were after every round of relaxation, up to 5,000 of them
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
 };
 
@@ -55,8 +56,9 @@ template <int N> struct PipelineResult {
   DualCells<N> dual;
   DualSurfaces surfaces;
   Primal<N> primal;
-  std::vector<double> quality;           // per block: scaled Jacobian
-  Certificate certificate;               // of what is handed out: the final mesh, where there is one
+  std::vector<double> quality; // per block: scaled Jacobian
+  std::vector<Vec<N>> history; // of the primal's nodes: all as placed, then after every round of relaxation
+  Certificate certificate;     // of what is handed out: the final mesh, where there is one
   std::optional<FinalMesh<N>> finalMesh; // in place of the primal, where D-bar-surfaces have been extracted
   bool onlyMatching = false; // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;

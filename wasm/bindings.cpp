@@ -145,6 +145,7 @@ template <int N> val primalToJs(const PipelineResult<N> &r) {
   p.set("blockPart", column<Index>(r.primal.blocks, [](const Block<N> &b) { return b.part; }));
   p.set("blockSides", rows<N>(r.primal.blocks, [](const Block<N> &b) { return b.sides; }));
   p.set("quality", toJs<double>(r.quality));
+  p.set("history", toJs<double>(r.history));
   const BoundaryFaces<N> boundary = boundaryFaces(r.mesh, r.parts, r.primal);
   p.set("boundaryFaces", toJs<Index>(boundary.faces));
   p.set("boundaryFacet", toJs<Index>(boundary.facet));
@@ -225,8 +226,8 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   return out;
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, coarsest}, every one a number in
-/// its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
+/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, history, coarsest}, every one a
+/// number in its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -248,6 +249,7 @@ Result<PipelineOptions> readOptions(const val &settings) {
       take("featureAngle", -1, 180, "degrees from 0 to 180, or a number below 0 for the automatic choice.");
   const double timeLimit = take("timeLimit", 0, Double::max(), "seconds, or 0 for no limit.");
   const double relax = take("relax", 0, 1, "true or false.");
+  const double history = take("history", 0, 1, "true or false.");
   const double coarsest = take("coarsest", 0, 1, "the mode layered or coarsest.");
   std::vector<Index> surfaces;
   const val extract = settings["extract"];
@@ -270,6 +272,7 @@ Result<PipelineOptions> readOptions(const val &settings) {
   PipelineOptions options;
   options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0,
                   std::move(insert)};
+  options.history = history > 0;
   options.edgeLength = edgeLength;
   options.seed = static_cast<std::uint32_t>(seed);
   options.tolerance = tolerance;

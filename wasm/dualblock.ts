@@ -55,11 +55,12 @@ export class Dualblock {
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
     const wanted = { ...defaultSettings, ...settings };
     const featureAngle = wanted.featureAngle === 'auto' ? -1 : wanted.featureAngle;
-    const { mode, relax, insert } = wanted;
+    const { mode, relax, history, insert } = wanted;
     const raw = {
       featureAngle,
       coarsest: Number(mode === 'coarsest'),
       relax: Number(relax),
+      history: Number(history),
       insertFacets: Int32Array.from(insert, ({ facet }) => facet),
       insertShares: Float64Array.from(insert, ({ share }) => share),
     };

@@ -11,6 +11,7 @@ declare module '*/build/dualblock.mjs' {
     timeLimit: number;
     /** 0 or 1. */
     relax: number;
+    history: number;
     /** 0: the layered mesh, 1: as coarse as can be. */
     coarsest: number;
     extract: readonly number[];

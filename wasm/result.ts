@@ -149,6 +149,8 @@ export interface RunResult {
     blockPart: Int32Array;
     blockSides: Int32Array;
     quality: Float64Array;
+    /** Positions as placed, then after every round of relaxation; empty where they were not asked for. */
+    history: Float64Array;
     boundaryFaces: Int32Array;
     boundaryFacet: Int32Array;
   };

@@ -27,6 +27,8 @@ export interface Settings {
   insert: readonly { facet: number; share: number }[];
   /** Move nodes to where blocks have a better shape. */
   relax: boolean;
+  /** Keep where the nodes were after every round of that, for as many as 5,000 of them. */
+  history: boolean;
   /** Seconds that a run may take; 0 for as long as it needs. */
   timeLimit: number;
 }
@@ -40,6 +42,7 @@ export const defaultSettings: Settings = {
   extract: [],
   insert: [],
   relax: true,
+  history: false,
   timeLimit: 0,
 };
 

@@ -224,14 +224,14 @@ private:
 /// Moves the nodes around the worst corners up, round by round, while that helps and the worst is below
 /// `goal`.
 template <int N>
-Index climbWorst(Relaxer<N> &relaxer, const std::vector<Index> &nodes, std::size_t nodeCount, int rounds,
-                 double goal) {
+Index climbWorst(Relaxer<N> &relaxer, const std::vector<Index> &nodes, std::size_t nodeCount,
+                 const RelaxOptions &options, double goal) {
   constexpr double kBand = 0.02; // of the scaled Jacobian: what counts as among the worst
   Index moves = 0;
   std::vector<double> around(nodes.size());
   std::vector<bool> isDue(nodeCount, true); // something around has moved since it was tried
   std::vector<bool> isStale(nodeCount, true);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < options.worstRounds; ++round) {
     checkDeadline();
     double worst = kInfinity;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -250,6 +250,7 @@ Index climbWorst(Relaxer<N> &relaxer, const std::vector<Index> &nodes, std::size
     }
     moves += moved;
     if (moved == 0) break;
+    if (options.onRound) options.onRound();
   }
   return moves;
 }
@@ -265,7 +266,7 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
   for (Index v = 0; v < blocks.nodeCount(); ++v)
     if (!freedom.isFixed(v) && (isWanted.empty() || isWanted[at(v)])) active.push_back(v);
   // Where a block is inverted, nothing can descend: climb out of that first.
-  result.moves += climbWorst(relaxer, active, blocks.positions.size(), options.worstRounds, 0);
+  result.moves += climbWorst(relaxer, active, blocks.positions.size(), options, 0);
   double floor = kInfinity;
   for (const Index v : active) floor = std::min(floor, relaxer.smallestAround(v));
   std::vector<bool> isDue(blocks.positions.size(), true); // something around has moved since it was looked at
@@ -281,8 +282,9 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     }
     result.moves += moved;
     if (moved == 0) break;
+    if (options.onRound) options.onRound();
   }
-  result.moves += climbWorst(relaxer, active, blocks.positions.size(), options.worstRounds, kInfinity);
+  result.moves += climbWorst(relaxer, active, blocks.positions.size(), options, kInfinity);
   return result;
 }
 

@@ -1,13 +1,16 @@
 // Relaxation: nodes move to where blocks have a better shape, and never to where one is not valid.
 #pragma once
 
+#include <functional>
+
 #include "blocks/freedom.h"
 
 namespace dualblock {
 
 struct RelaxOptions {
-  int sweeps = 12;      // over all nodes, at most
-  int worstRounds = 30; // over the nodes around the worst corners, at most
+  std::function<void()> onRound; // after every round that moved something, if wanted
+  int sweeps = 12;               // over all nodes, at most
+  int worstRounds = 30;          // over the nodes around the worst corners, at most
 };
 
 struct RelaxResult {

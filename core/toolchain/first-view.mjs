@@ -10,6 +10,6 @@ const { firstExample } = await load('web/src/state/view-state.ts');
 
 const core = await Dualblock.create({ wasmBinary: readFileSync(new URL('wasm/build/dualblock.wasm', root)) });
 core.load(`${firstExample}.json`, readFileSync(new URL(`public/examples/${firstExample}.json`, root)));
-const packed = await packResult({ ...core.run(), timings: {} });
+const packed = await packResult({ ...core.run({ history: true }), timings: {} });
 writeFileSync(new URL('wasm/build/first.bin', root), packed);
 console.log(`first view: ${firstExample}, ${packed.length} bytes`);

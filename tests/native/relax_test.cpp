@@ -53,6 +53,36 @@ TEST(Relax, BentSidesStayOnTheirSurface) {
   }
 }
 
+// The rounds that are kept lead from the first places to the last; none is worse at its worst than the first.
+TEST(Relax, KeepsItsHistory) {
+  for (const char *name : {"icosahedron", "tapered_brick", "cylinder"}) {
+    SCOPED_TRACE(name);
+    const Domain<3> domain = loadExample<3>(name);
+    PipelineOptions options;
+    options.history = true;
+    const auto r = run(domain, options);
+    const std::size_t nodes = r.primal.positions.size();
+    ASSERT_EQ(r.history.size() % nodes, 0U);
+    const std::size_t rounds = r.history.size() / nodes;
+    ASSERT_GT(rounds, 2U);
+    EXPECT_TRUE(std::equal(r.primal.positions.begin(), r.primal.positions.end(), r.history.end() - nodes));
+    EXPECT_TRUE(
+        std::equal(r.history.begin(), r.history.begin() + nodes, unrelaxed(domain).primal.positions.begin()));
+    double first = -1;
+    for (std::size_t round = 0; round < rounds; ++round) {
+      const std::vector<Vec<3>> then(r.history.begin() + round * nodes,
+                                     r.history.begin() + (round + 1) * nodes);
+      double worst = 1;
+      for (const Block<3> &block : r.primal.blocks)
+        worst = std::min(worst, scaledJacobian<3>(cornersOf<3>(block.nodes, then)));
+      EXPECT_GE(worst, first - 1e-12) << round;
+      if (round == 0) first = worst;
+    }
+    EXPECT_EQ(run(domain).history.size(), 0U); // only where it is asked for
+    EXPECT_EQ(run(domain).primal.positions, r.primal.positions);
+  }
+}
+
 // Nodes thrown about on a mesh of boxes come back: every angle is right again, and features are where they
 // were.
 TEST(Relax, BoxesComeBack) {

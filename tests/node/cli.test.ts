@@ -93,6 +93,7 @@ describe('a certified mesh', () => {
       mode: 'layered',
       extract: [],
       insert: [],
+      history: false,
       relax: true,
     });
     expect(report.reference.refinement).toBe(0.9);

@@ -102,8 +102,9 @@ describe('intervals', () => {
     const { page } = opened;
     await slide(page, /^Intervals/, 2);
     expect(await elements(page)).toBe(8 * 8);
-    const first = Number(await page.locator('.sheet-name span:nth-child(2)').first().textContent());
-    await slide(page, new RegExp(`^${first}4 blocks`), 5);
+    const first = (await page.locator('.sheet-name').first().textContent())!.match(/D̄-surface (\d+)/)![1]!;
+    await page.getByRole('slider', { name: `Intervals across D̄-surface ${first}`, exact: true }).fill('5');
+    await settle(page);
     expect(await elements(page)).toBe(4 * 8 + 4 * 20);
     expect(await page.getByLabel('Refinement', { exact: true }).textContent()).toContain('112 elements');
     expect(await page.locator('.counts').first().textContent()).toContain('2 to 5');

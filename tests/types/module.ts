@@ -18,6 +18,7 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     extract: [3],
     insert: [{ facet: 0, share: 0.25 }],
     relax: false,
+    history: true,
   };
   const progress: Progress = (stage, done) => console.log(stage.toUpperCase(), done.toFixed(2));
   const core = await Dualblock.create({ wasmBinary: bytes });

@@ -249,9 +249,14 @@ export class App {
       if (turn !== this.turn) return null;
       const name = ref.source === 'example' ? `${ref.name}.json` : ref.name;
       formatOf(name);
-      const answer = await this.core.run(name, bytes, { ...reference, timeLimit }, (stage, done) => {
-        if (turn === this.turn) this.setUi({ busy: { title, stage, done } });
-      });
+      const answer = await this.core.run(
+        name,
+        bytes,
+        { ...reference, timeLimit, history: true },
+        (stage, done) => {
+          if (turn === this.turn) this.setUi({ busy: { title, stage, done } });
+        },
+      );
       if (turn !== this.turn) return null;
       this.setUi({ busy: null });
       return this.remember(ref, settings, answer.result.title || title, answer);

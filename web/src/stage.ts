@@ -6,6 +6,7 @@ import type { App } from './app.ts';
 import { dimensionOf, type Marks, marksInDomain, marksInModel, outlineOf } from './model/culprits.ts';
 import { layeredBlocks, refinementOf } from './model/final-mesh.ts';
 import type { Model } from './model/model.ts';
+import { roundCount } from './model/relaxation.ts';
 import type { Insets } from './scene/camera.ts';
 import { markLayers } from './scene/marks.ts';
 import { ModelScene } from './scene/model-scene.ts';
@@ -89,7 +90,7 @@ export class Stage {
     this.show();
   }
 
-  /** Plays the contributions of the step in the order of their insertion. */
+  /** Plays the contributions of the step in the order of their insertion, or the rounds of relaxation. */
   play(on: boolean): void {
     window.clearInterval(this.timer);
     this.app.setUi({ playing: on });
@@ -112,7 +113,7 @@ export class Stage {
     }, 40);
   }
 
-  /** Shows the first `value` contributions of the step; null for all. */
+  /** Shows the first `value` contributions of the step, or rounds of relaxation; null for all. */
   scrub(value: number | null): void {
     const { view } = this.app;
     const key = this.scrubKey();
@@ -123,16 +124,18 @@ export class Stage {
       view.set({ scrub: { ...view.state.scrub, [key]: kept } }, { merge: 'scrub' });
   }
 
-  scrubKey(): 'hard' | 'soft' | null {
+  scrubKey(): 'hard' | 'soft' | 'relaxation' | null {
+    const keys = { 3: 'hard', 4: 'soft', 8: 'relaxation' } as const;
     const { step } = this.app.view.state;
-    return step === 3 ? 'hard' : step === 4 ? 'soft' : null;
+    return step === 3 || step === 4 || step === 8 ? keys[step] : null;
   }
 
   scrubCount(): number {
     const key = this.scrubKey();
     if (!this.scene || !key) return 0;
-    const { contributions } = this.scene.model.result;
-    return key === 'hard' ? contributions.hardCount : contributions.softCount;
+    const { result } = this.scene.model;
+    if (key === 'relaxation') return roundCount(result);
+    return key === 'hard' ? result.contributions.hardCount : result.contributions.softCount;
   }
 
   scrubValue(): number | null {

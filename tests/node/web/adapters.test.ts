@@ -34,7 +34,7 @@ function model(name: string): Model {
 function layer(id: LayerId, of: Model) {
   const made = makeLayer(id, of, null);
   if (!made) throw new Error(`there is no ${id}`);
-  paintLayer(id, made.layer, of, null, themes.light);
+  paintLayer(id, made.layer, of, null, themes.light, of.result.primal.quality);
   return made;
 }
 
@@ -149,8 +149,8 @@ describe('what is drawn', () => {
     expect(shown(8)).toEqual({ blocks: 8, edges: 54 });
     expect(shown(7)).toMatchObject({ nodes: 27, edges: 54, facets: 6 });
     expect(shown(3)).toMatchObject({ hard: 36 });
-    expect(shown(3, { scrub: { hard: 10, soft: null } })).toMatchObject({ hard: 10 });
-    expect(shown(4, { scrub: { hard: 10, soft: null } })).toMatchObject({ hard: 36 });
+    expect(shown(3, { scrub: { hard: 10, soft: null, relaxation: null } })).toMatchObject({ hard: 10 });
+    expect(shown(4, { scrub: { hard: 10, soft: null, relaxation: null } })).toMatchObject({ hard: 36 });
     expect(shown(6)).toEqual({ cells: 27 });
     expect(shown(6, { hidden: [{ kind: 'cell', id: 3 }] })).toEqual({ cells: 26 });
     expect(shown(6, { isolated: { kind: 'block', id: 0 } })).toEqual({ cells: 8 });

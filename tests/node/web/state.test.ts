@@ -28,7 +28,7 @@ const rich: ViewState = {
   timeLimit: 90,
   step: 6,
   compare: 3,
-  scrub: { hard: 12, soft: null },
+  scrub: { hard: 12, soft: null, relaxation: 3 },
   camera: { position: [1.5, -2, 3], target: [0, 0.25, 0], up: [0, 0, 1], zoom: 1.25 },
   projection: 'orthographic',
   layers: { 6: { cells: { opacity: 0.35 }, edges: { visible: true } } },

@@ -1,5 +1,6 @@
 // Scaled Jacobians of what the step shows, and a range of them to keep: by dragging across the bars, or by sliders.
 import { useRef } from 'preact/hooks';
+import { roundOf } from '../model/relaxation.ts';
 import { cssColour, qualityColour } from '../scene/palette.ts';
 import { Slider } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
@@ -20,12 +21,17 @@ export function Histogram() {
   const app = useApp();
   const quality = useView((s) => s.quality);
   const step = useView((s) => s.step);
+  const round = useView((s) => s.scrub.relaxation);
   useUi((s) => s.model);
   useUi((s) => s.refinement);
   const svg = useRef<SVGSVGElement>(null);
   const from = useRef<number | null>(null);
   const refined = app.stage.scene?.refinement;
-  const values = step === 9 && refined ? refined.allQuality : app.model?.result.primal.quality;
+  const model = app.model;
+  const values =
+    step === 9 && refined
+      ? refined.allQuality
+      : model && roundOf(model.result, step === 8 ? round : null).quality;
   if (!values || values.length === 0) return <p class="hint">No blocks here.</p>;
   const low = values.some((v) => v < 0) ? -1 : 0;
   const counts = histogramOf(values, low);

@@ -126,11 +126,13 @@ function Surfaces() {
                 type="button"
                 class="sheet-name"
                 aria-pressed={isSelected}
-                aria-label={`${name} ${surface}, ${blocks} blocks`}
                 onClick={() => app.select({ kind: 'surface', id: surface })}
               >
                 <Swatch colour={cssColour(distinct(surface))} />
-                <span>{surface}</span>
+                <span>
+                  <span class="unseen">{name} </span>
+                  {surface}
+                </span>
                 <small>{blocks === 1 ? '1 block' : `${blocks.toLocaleString('en')} blocks`}</small>
               </button>
               <button

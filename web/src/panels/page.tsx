@@ -113,6 +113,7 @@ function CompareLabels() {
     <div class="compare-labels">
       <span>
         {compare} {steps[compare - 1]!.name}
+        {compare === 8 && step === 8 ? ', before relaxation' : ''}
       </span>
       <span>
         {step} {steps[step - 1]!.name}

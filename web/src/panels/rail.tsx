@@ -71,13 +71,14 @@ function Scrubber() {
   useUi((s) => s.model);
   const count = stage.scrubCount();
   if (!stage.scrubKey() || count === 0) return null;
-  const value = stage.scrubValue() ?? count;
+  const value = Math.min(count, stage.scrubValue() ?? count);
+  const isRelaxation = stage.scrubKey() === 'relaxation';
   const set = (next: number): void => {
     stage.play(false);
     stage.scrub(next);
   };
   return (
-    <fieldset class="scrubber" aria-label="Order of insertion">
+    <fieldset class="scrubber" aria-label={isRelaxation ? 'Relaxation' : 'Order of insertion'}>
       <IconButton label="None" onClick={() => set(0)}>
         <Icon name="first" />
       </IconButton>
@@ -100,15 +101,13 @@ function Scrubber() {
       </IconButton>
       <input
         type="range"
-        aria-label="Contributions shown, in the order of insertion"
+        aria-label={isRelaxation ? 'Rounds of relaxation' : 'Contributions shown, in the order of insertion'}
         min={0}
         max={count}
         value={value}
         onInput={(e) => set(Number(e.currentTarget.value))}
       />
-      <output>
-        {value} of {count}
-      </output>
+      <output>{isRelaxation && value === 0 ? 'as placed' : `${value} of ${count}`}</output>
       <select
         aria-label="Speed"
         value={speed}

@@ -111,8 +111,9 @@ export function paintLayer(
   model: Model,
   refined: RefinedDisplay | null,
   theme: Theme,
+  blockQuality: Float64Array,
 ): void {
-  layer.paint(paintOf(id, model, refined, theme));
+  layer.paint(paintOf(id, model, refined, theme, blockQuality));
 }
 
 function paintOf(
@@ -120,6 +121,7 @@ function paintOf(
   model: Model,
   refined: RefinedDisplay | null,
   theme: Theme,
+  blockQuality: Float64Array,
 ): (id: number) => Paint {
   const { display, result } = model;
   const flat = display.dimension === 2;
@@ -164,7 +166,7 @@ function paintOf(
     case 'outline':
       return () => ({ colour: theme.line });
     case 'blocks':
-      return (b) => ({ colour: qualityColour(result.primal.quality[b]!) });
+      return (b) => ({ colour: qualityColour(blockQuality[b]!) });
     case 'refined':
       return (e) => ({ colour: qualityColour(refined?.quality[e] ?? 1) });
   }

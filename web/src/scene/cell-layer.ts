@@ -2,6 +2,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  type DataTexture,
   DynamicDrawUsage,
   FrontSide,
   Group,
@@ -9,10 +10,10 @@ import {
   Mesh,
   type ShaderMaterial,
 } from 'three';
-import type { CellSet } from '../display/cell-set.ts';
+import { type CellSet, cellCenters } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
 import { type Cap, capsOf } from './caps.ts';
-import { Layer, pointTexture } from './layer.ts';
+import { Layer, pointTexture, putPoints } from './layer.ts';
 import { cellMaterial } from './shaders.ts';
 
 export interface CellLayerOptions {
@@ -81,6 +82,20 @@ export class CellLayer extends Layer {
     }
     if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
     if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, gaps, out));
+  }
+
+  /** Moves the cells' points, xyz each. */
+  move(points: Float32Array): void {
+    const { set } = this;
+    set.points.set(points);
+    set.centers.set(cellCenters(set.count, set.points, set.pointCell));
+    const centers = this.uniforms.centers.value as DataTexture;
+    putPoints(set.centers, centers.image.data as unknown as Float32Array);
+    centers.needsUpdate = true;
+    for (const mesh of [this.faces, this.outlines]) {
+      const position = mesh?.geometry.getAttribute('position');
+      if (position) position.needsUpdate = true;
+    }
   }
 
   /** Closes the cells that the planes cut; none removes the caps. */

@@ -1,7 +1,9 @@
 // The layers of one model, made when they are first seen, and how a view state shows them in a step.
 import { Group, Vector3 } from 'three';
+import { pick } from '../display/domain.ts';
 import { entityCount, type Model, type RefinedDisplay } from '../model/model.ts';
 import { type Related, relate } from '../model/provenance.ts';
+import { type Round, roundOf } from '../model/relaxation.ts';
 import {
   type Entity,
   explodeOf,
@@ -35,6 +37,9 @@ export class ModelScene {
   private readonly entries = new Map<LayerId, Entry>();
   private refined: RefinedDisplay | null = null;
   private theme: Theme;
+  /** The round of relaxation that the blocks are shown after, and how they were then. */
+  private round: number | null = null;
+  private blocks: Round;
   private related: Related | null = null;
   private selection: Entity | null = null;
   private isolated: { entity: Entity; related: Related } | null = null;
@@ -45,6 +50,7 @@ export class ModelScene {
   constructor(model: Model, theme: Theme) {
     this.model = model;
     this.theme = theme;
+    this.blocks = roundOf(model.result, null);
     const { box } = model.display;
     this.center.set((box[0]! + box[3]!) / 2, (box[1]! + box[4]!) / 2, (box[2]! + box[5]!) / 2);
     const { dimension, domain } = model.result; // all of its vertices: a ball has none that is a feature
@@ -64,7 +70,8 @@ export class ModelScene {
 
   setTheme(theme: Theme): void {
     this.theme = theme;
-    for (const [id, { layer }] of this.entries) paintLayer(id, layer, this.model, this.refined, theme);
+    for (const [id, { layer }] of this.entries)
+      paintLayer(id, layer, this.model, this.refined, theme, this.blocks.quality);
   }
 
   setRefined(refined: RefinedDisplay | null): void {
@@ -95,17 +102,25 @@ export class ModelScene {
     return known ? relate(this.model, entity, this.refined?.block) : null;
   }
 
+  /** The quality of the blocks as step 8 shows them. */
+  get blockQuality(): Float64Array {
+    return this.blocks.quality;
+  }
+
   /** Brings the layers into the state of a step; what is to be drawn is visible afterwards. */
   apply(state: ViewState, step: Step): void {
+    const round = step === 8 ? state.scrub.relaxation : null;
     this.select(state.selection);
     this.isolate(state.isolated);
     const plane = state.slice ? placeSlice(state.slice, this.model.display.box) : null;
     for (const id of layerIds) {
-      const { visible, opacity } = layerSetting(state, step, id, this.model.display.dimension);
+      const { visible: wanted, opacity } = layerSetting(state, step, id, this.model.display.dimension);
+      const visible = wanted && !(id === 'edges' && round !== null); // they are where the nodes are at last
       const entry = visible ? this.entry(id) : this.entries.get(id);
       if (!entry) continue;
       entry.layer.object.visible = visible;
       if (!visible) continue;
+      if (id === 'blocks') this.moveBlocks(entry, round);
       this.deform(entry.layer, id, state, step, opacity);
       this.filter(entry, id, state, step, plane);
     }
@@ -123,6 +138,18 @@ export class ModelScene {
 
   dispose(): void {
     for (const id of [...this.entries.keys()]) this.drop(id);
+  }
+
+  /** Shows the blocks after a round of relaxation; null for as they are at last. */
+  private moveBlocks(entry: Entry, round: number | null): void {
+    if (round === this.round || !(entry.layer instanceof CellLayer)) return;
+    this.round = round;
+    const { result } = this.model;
+    this.blocks = roundOf(result, round);
+    entry.layer.move(pick(result.dimension, this.blocks.positions, result.primal.blocks));
+    entry.filterable.quality = this.blocks.quality;
+    entry.shown = '';
+    paintLayer('blocks', entry.layer, this.model, this.refined, this.theme, this.blocks.quality);
   }
 
   private deform(layer: Layer, id: LayerId, state: ViewState, step: Step, opacity: number): void {
@@ -235,7 +262,7 @@ export class ModelScene {
     const entry = { ...made, shown: '' };
     this.entries.set(id, entry);
     this.object.add(entry.layer.object);
-    paintLayer(id, entry.layer, this.model, this.refined, this.theme);
+    paintLayer(id, entry.layer, this.model, this.refined, this.theme, this.blocks.quality);
     this.mark(id, entry.layer);
     return entry;
   }

@@ -125,7 +125,7 @@ export class Viewer {
     );
     if (!view) return null;
     const { viewport } = view;
-    model.apply(state, view.step);
+    model.apply(view.state, view.step);
     rig.aim(viewport);
     this.setClips(state);
     const place = { x: x - viewport.x, y: y - viewport.y, width: viewport.width, height: viewport.height };
@@ -183,14 +183,17 @@ export class Viewer {
     this.invalidate();
   }
 
-  private views(state: ViewState): { step: Step; viewport: Viewport }[] {
+  private views(state: ViewState): { step: Step; state: ViewState; viewport: Viewport }[] {
     const { width, height } = this.rig.size;
-    if (!state.compare) return [{ step: state.step, viewport: { x: 0, y: 0, width, height } }];
+    if (!state.compare) return [{ step: state.step, state, viewport: { x: 0, y: 0, width, height } }];
+    // The blocks beside themselves: as they were placed, and relaxed.
+    const placed = { ...state, scrub: { ...state.scrub, relaxation: 0 } };
+    const isTwice = state.compare === 8 && state.step === 8;
     const { left, right } = this.rig.insets;
     const half = Math.round(left + (width - left - right) / 2);
     return [
-      { step: state.compare, viewport: { x: 0, y: 0, width: half, height } },
-      { step: state.step, viewport: { x: half, y: 0, width: width - half, height } },
+      { step: state.compare, state: isTwice ? placed : state, viewport: { x: 0, y: 0, width: half, height } },
+      { step: state.step, state, viewport: { x: half, y: 0, width: width - half, height } },
     ];
   }
 
@@ -211,8 +214,8 @@ export class Viewer {
       renderer.render(this.overlay, rig.camera);
       return;
     }
-    for (const { step, viewport } of this.views(state)) {
-      model.apply(state, step);
+    for (const { step, state: own, viewport } of this.views(state)) {
+      model.apply(own, step);
       rig.aim(viewport);
       const area = { ...viewport, y: height - viewport.y - viewport.height };
       this.blender.draw(renderer, this.scene, rig.camera, model, area, {

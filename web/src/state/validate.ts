@@ -154,7 +154,11 @@ export function validState(given: unknown): ViewState {
     timeLimit: number(s['timeLimit'], 0, huge, 0),
     step: oneOf(s['step'], stepIds, d.step),
     compare: oneOf<Step | null>(s['compare'], stepIds, null),
-    scrub: { hard: count(scrub['hard']), soft: count(scrub['soft']) },
+    scrub: {
+      hard: count(scrub['hard']),
+      soft: count(scrub['soft']),
+      relaxation: count(scrub['relaxation']),
+    },
     camera: camera(s['camera']),
     projection: oneOf(s['projection'], ['perspective', 'orthographic'] as const, d.projection),
     layers: layers(s['layers']),

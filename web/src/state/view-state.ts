@@ -101,8 +101,8 @@ export interface ViewState {
   timeLimit: number;
   step: Step;
   compare: Step | null;
-  /** How many contributions are shown, in insertion order; null for all. */
-  scrub: { hard: number | null; soft: number | null };
+  /** How many contributions are shown, in insertion order, and rounds of relaxation; null for all. */
+  scrub: { hard: number | null; soft: number | null; relaxation: number | null };
   /** Null: the whole domain, from the default direction. */
   camera: Camera | null;
   projection: 'perspective' | 'orthographic';
@@ -142,7 +142,7 @@ export const defaultState: ViewState = {
   timeLimit: 0,
   step: 8,
   compare: null,
-  scrub: { hard: null, soft: null },
+  scrub: { hard: null, soft: null, relaxation: null },
   camera: null,
   projection: 'perspective',
   layers: {},
