@@ -102,7 +102,7 @@ describe('intervals', () => {
     const { page } = opened;
     await slide(page, /^Intervals/, 2);
     expect(await elements(page)).toBe(8 * 8);
-    const first = (await page.locator('.sheet-name').first().textContent())!.match(/D̄-surface (\d+)/)![1]!;
+    const first = (await page.locator('.sheet-name').first().textContent())!.match(/D̄-surface (\d+)4 blocks/)![1]!;
     await page.getByRole('slider', { name: `Intervals across D̄-surface ${first}`, exact: true }).fill('5');
     await settle(page);
     expect(await elements(page)).toBe(4 * 8 + 4 * 20);
