@@ -1,64 +1,23 @@
 #include "pipeline.h"
 
-#include <chrono>
 #include <limits>
 #include <optional>
 
-#include "base/deadline.h"
 #include "blocks/relax.h"
 #include "contributions/given_matching.h"
 #include "contributions/repair.h"
 #include "domain/intersections.h"
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
+#include "stage_clock.h"
 
 namespace dualblock {
 namespace {
 
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
-constexpr int kBlameRounds = 4; // then all components fall back
-
-class StageClock {
-public:
-  StageClock(const Progress &progress, std::vector<StageTime> &timings)
-      : progress_(progress), timings_(timings) {}
-  StageClock(const StageClock &) = delete;
-  StageClock &operator=(const StageClock &) = delete;
-
-  /// Moves time of the running stage to one that was measured inside it.
-  void credit(const char *stage, double milliseconds) {
-    timings_.push_back({stage, milliseconds});
-    begin_ += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double, std::milli>(milliseconds));
-  }
-
-  void start(const char *stage, double done) {
-    checkDeadline();
-    stop();
-    stage_ = stage;
-    if (progress_) progress_(stage, done);
-    begin_ = std::chrono::steady_clock::now();
-  }
-
-  /// Ends the running stage.
-  void stop() {
-    if (!stage_) return;
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
-    auto known = timings_.begin();
-    while (known != timings_.end() && known->stage != stage_) ++known;
-    if (known == timings_.end()) timings_.push_back({stage_, ms});
-    else known->milliseconds += ms;
-    stage_ = nullptr;
-  }
-
-private:
-  const Progress &progress_;
-  std::vector<StageTime> &timings_;
-  const char *stage_ = nullptr;
-  std::chrono::steady_clock::time_point begin_;
-};
+constexpr int kBlameRounds = 4;     // then all components fall back
+constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal: fewer blocks win
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
 /// False if they cannot be made to hold.
@@ -186,6 +145,122 @@ template <int N>
   return blame;
 }
 
+/// From the parts that were chosen to a mesh with its certificate. Components that this blames go down the
+/// ladder of the fallback, if they may. False if they may not, or there is no coarsest mesh for them.
+template <int N>
+[[gnu::noinline]] bool meshParts(PipelineResult<N> &r, PartChoice<N> choice, bool mayFallBack,
+                                 const PipelineOptions &options, const CoarseMesh<N> &coarse,
+                                 StageClock &clock) {
+  Decomposition<N> &decomposition = choice.decomposition;
+  r.parts = std::move(decomposition.parts);
+  r.cuts = decomposition.cuts;
+  r.vertexCuts = decomposition.vertexCuts;
+  r.bentCuts = decomposition.bentCuts;
+  r.fallbackReason = std::move(choice.whySimplices);
+  std::vector<PartSource> source =
+      std::move(choice.source); // changes where the certificate blames a component
+  const auto count = [&](PartSource wanted) {
+    return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
+  };
+  PartOptions partOptions;
+  std::vector<bool> everyFace;
+  for (int attempt = 0;; ++attempt) {
+    r.fallbackComponents = count(PartSource::simplices);
+    r.pulledComponents = count(PartSource::pulled);
+    if (r.fallbackComponents + r.pulledComponents > 0) {
+      clock.start("fallback", 0.4);
+      const ReferenceMesh<N> *const mesh = r.fallbackComponents > 0 ? coarse() : nullptr;
+      if (!mesh && r.fallbackComponents > 0) return false;
+      const ReferenceMesh<N> *pulled = nullptr;
+      const std::vector<bool> *pulledFace = nullptr;
+      if constexpr (N == 3)
+        if (decomposition.pulled) {
+          pulled = &decomposition.pulled->mesh;
+          pulledFace = &decomposition.pulled->everyFace;
+        }
+      MixedMesh<N> mixed = mixMeshes(r.mesh, pulled, pulledFace, mesh, source);
+      r.mesh = std::move(mixed.mesh);
+      everyFace = std::move(mixed.everyFace);
+      partOptions.everyFace = &everyFace;
+      if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
+        r.cuts = r.vertexCuts = r.bentCuts = 0;
+        r.repairs = 0;
+        r.fillSimplices = mesh->simplexCount();
+      }
+      clock.start("parts", 0.45);
+      r.parts = buildParts(r.mesh, partOptions);
+    }
+    const bool built = buildDual(r, partOptions, everyFace, clock);
+    if (built) buildResult(r, options, clock);
+    if (built && r.certificate.valid) break;
+    if (!mayFallBack) return false;
+    if (r.fallbackComponents == r.mesh.componentCount) {
+      if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
+      break;
+    }
+    if (r.fallbackReason.empty())
+      r.fallbackReason =
+          built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
+                : "repairs of the reference mesh did not end";
+    const std::vector<bool> more =
+        built && attempt < kBlameRounds ? blamed(r, source) : std::vector<bool>(source.size(), true);
+    for (std::size_t c = 0; c < source.size(); ++c) {
+      if (!more[c]) continue;
+      const bool canPull =
+          decomposition.pulled && decomposition.pulled->blocks[c] < std::numeric_limits<double>::infinity();
+      source[c] = source[c] == PartSource::cuts && canPull ? PartSource::pulled : PartSource::simplices;
+    }
+    r.certificate = {};
+  }
+  if (decomposition.pulled)
+    for (std::size_t c = 0; c < source.size(); ++c)
+      if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
+  return true;
+}
+
+template <int N> PartCandidate figuresOf(const PipelineResult<N> &r) {
+  PartCandidate figures{toIndex(r.parts.parts.size()), toIndex(r.quality.size())};
+  figures.minScaledJacobian = -std::numeric_limits<double>::infinity();
+  if (r.certificate.valid) figures.minScaledJacobian = *std::min_element(r.quality.begin(), r.quality.end());
+  return figures;
+}
+
+/// Carries what else the parts could be through to meshes of their own, each from what all have in `common`,
+/// and leaves the one of the best shape in r: never a worse one than was there.
+template <int N>
+[[gnu::noinline]] void takeBestShape(PipelineResult<N> &r, const PipelineResult<N> &common,
+                                     std::vector<PartProposal<N>> proposals, const PipelineOptions &options,
+                                     const CoarseMesh<N> &coarse, StageClock &clock) {
+  std::vector<PartCandidate> candidates{figuresOf(r)};
+  std::vector<PipelineResult<N>> others;
+  if (!proposals.empty()) clock.start("shape", 0.92);
+  const Progress silent; // all their stages are one
+  std::vector<StageTime> untold;
+  StageClock inner(silent, untold);
+  for (PartProposal<N> &proposal : proposals) {
+    PipelineResult<N> other = common;
+    other.mesh = std::move(proposal.mesh);
+    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, inner)) continue;
+    candidates.push_back(figuresOf(other));
+    others.push_back(std::move(other));
+  }
+  clock.stop();
+  double wanted = candidates[0].minScaledJacobian;
+  for (const PartCandidate &c : candidates) wanted = std::max(wanted, c.minScaledJacobian - kSameShape);
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < candidates.size(); ++k)
+    if (candidates[k].minScaledJacobian >= wanted &&
+        (candidates[best].minScaledJacobian < wanted || candidates[k].blocks < candidates[best].blocks))
+      best = k;
+  if (best > 0) {
+    std::vector<StageTime> timings = std::move(r.timings);
+    r = std::move(others[best - 1]);
+    r.timings = std::move(timings);
+  }
+  candidates[best].chosen = true;
+  r.candidates = std::move(candidates);
+}
+
 /// Where TetGen refused the domain: looks for two facets that cross. As given, for facets that overlap in one
 /// plane may have been merged.
 template <int N>
@@ -248,7 +323,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   std::optional<ReferenceMesh<N>> coarse;
   std::optional<Error> coarseError;
   const bool isCoarse = options.edgeLength <= 0 && options.seed == 0;
-  const auto needCoarse = [&]() -> const ReferenceMesh<N> * {
+  const CoarseMesh<N> needCoarse = [&]() -> const ReferenceMesh<N> * {
     if (!coarse && !coarseError) {
       FillOptions plain = fillOptions;
       plain.edgeLength = 0;
@@ -262,85 +337,28 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   if (isCoarse) coarse = r.mesh;
 
   clock.start("features", 0.3);
-  PartOptions partOptions;
-  r.features = buildParts(r.mesh, partOptions);
+  r.features = buildParts(r.mesh, PartOptions{});
   r.featureNodes = r.mesh.nodes;
   r.featureKinds = classifyFeatures(r.features);
 
   clock.start("parts", 0.35);
   const CutOptions cutOptions{options.tolerance * r.mesh.size + 2 * r.domain.deviation,
                               toIndex(domain.facets.size())};
+  const bool wantsShape = options.objective == Objective::shape;
+  const ReferenceMesh<N> uncut = wantsShape ? r.mesh : ReferenceMesh<N>{};
   PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
-  Decomposition<N> &decomposition = choice.decomposition;
-  r.parts = std::move(decomposition.parts);
-  r.cuts = decomposition.cuts;
-  r.vertexCuts = decomposition.vertexCuts;
-  r.bentCuts = decomposition.bentCuts;
+  std::vector<PartProposal<N>> proposals;
+  if (wantsShape) proposals = proposeParts<N>(uncut, r.features, cutOptions, needCoarse, choice.score);
   for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
-
-  r.fallbackReason = std::move(choice.whySimplices);
   r.alternatives = choice.alternatives;
   r.cutTrials = std::move(choice.trials);
-  std::vector<PartSource> source =
-      std::move(choice.source); // changes where the certificate blames a component
-  const auto count = [&](PartSource wanted) {
-    return toIndex(static_cast<std::size_t>(std::count(source.begin(), source.end(), wanted)));
-  };
-  std::vector<bool> everyFace;
-  for (int attempt = 0;; ++attempt) {
-    r.fallbackComponents = count(PartSource::simplices);
-    r.pulledComponents = count(PartSource::pulled);
-    if (r.fallbackComponents + r.pulledComponents > 0) {
-      clock.start("fallback", 0.4);
-      const ReferenceMesh<N> *const mesh = r.fallbackComponents > 0 ? needCoarse() : nullptr;
-      if (!mesh && r.fallbackComponents > 0) return *coarseError;
-      const ReferenceMesh<N> *pulled = nullptr;
-      const std::vector<bool> *pulledFace = nullptr;
-      if constexpr (N == 3)
-        if (decomposition.pulled) {
-          pulled = &decomposition.pulled->mesh;
-          pulledFace = &decomposition.pulled->everyFace;
-        }
-      MixedMesh<N> mixed = mixMeshes(r.mesh, pulled, pulledFace, mesh, source);
-      r.mesh = std::move(mixed.mesh);
-      everyFace = std::move(mixed.everyFace);
-      partOptions.everyFace = &everyFace;
-      if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
-        r.cuts = r.vertexCuts = r.bentCuts = 0;
-        r.repairs = 0;
-        r.fillSimplices = mesh->simplexCount();
-      }
-      clock.start("parts", 0.45);
-      r.parts = buildParts(r.mesh, partOptions);
-    }
-    const bool built = buildDual(r, partOptions, everyFace, clock);
-    if (built) buildResult(r, options, clock);
-    if (built && r.certificate.valid) break;
-    if (r.fallbackComponents == r.mesh.componentCount) {
-      if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
-      break;
-    }
-    if (r.fallbackReason.empty())
-      r.fallbackReason =
-          built ? "the cut parts did not pass the certificate: " + r.certificate.failures[0].message
-                : "repairs of the reference mesh did not end";
-    const std::vector<bool> more =
-        built && attempt < kBlameRounds ? blamed(r, source) : std::vector<bool>(source.size(), true);
-    for (std::size_t c = 0; c < source.size(); ++c) {
-      if (!more[c]) continue;
-      const bool canPull =
-          decomposition.pulled && decomposition.pulled->blocks[c] < std::numeric_limits<double>::infinity();
-      source[c] = source[c] == PartSource::cuts && canPull ? PartSource::pulled : PartSource::simplices;
-    }
-    r.certificate = {};
-  }
-  if (decomposition.pulled)
-    for (std::size_t c = 0; c < source.size(); ++c)
-      if (source[c] == PartSource::pulled) r.pulledParts += decomposition.pulled->simplified[c];
+  const PipelineResult<N> common = proposals.empty() ? PipelineResult<N>{} : r;
+  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
+  takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   const ModeOptions &mode = options.mode;
   if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {
     clock.start("extraction", 0.95);

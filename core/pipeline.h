@@ -12,6 +12,13 @@
 
 namespace dualblock {
 
+/// What parts are chosen for.
+enum class Objective : std::uint8_t {
+  blocks, // few of them
+  shape   // the largest minimum of the scaled Jacobian, where it is cheap to try several meshes; then few
+          // blocks
+};
+
 struct PipelineOptions {
   double edgeLength = 0;    // of the reference mesh; 0: as coarse as TetGen makes it
   std::uint32_t seed = 0;   // > 0: vary the reference mesh at random
@@ -20,6 +27,7 @@ struct PipelineOptions {
   ModeOptions mode{};       // of the mesh that is handed out
   bool history = false;     // keep where nodes were after every round of relaxation, up to 5,000 of them
   double featureAngle = -1; // degrees: facets that meet at less are one bent side; below 0: see patches.h
+  Objective objective = Objective::blocks;
 };
 
 /// Called before each stage with its name and the share of the work done, 0 to 1.
@@ -28,6 +36,14 @@ using Progress = std::function<void(const char *stage, double done)>;
 struct StageTime {
   const char *stage;
   double milliseconds;
+};
+
+/// Parts that were carried through to a mesh, to choose between them.
+struct PartCandidate {
+  Index parts = 0;
+  Index blocks = 0;
+  double minScaledJacobian = 0; // minus infinity where the mesh is not valid
+  bool chosen = false;
 };
 
 /// Everything that a run derives, each stage's result with the ids of what it came from. On failure the
@@ -51,6 +67,7 @@ template <int N> struct PipelineResult {
   std::string fallbackReason;
   std::array<double, 3> alternatives{-1, -1, -1}; // PartChoice
   std::vector<CutTrial> cutTrials;
+  std::vector<PartCandidate> candidates; // the first is what the objective `blocks` gives
   Parts<N> parts;
   Contributions<N> contributions;
   DualCells<N> dual;

@@ -103,6 +103,14 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   trials.set("worstSine", column<double>(r.cutTrials, [](const CutTrial &t) { return t.worstSine; }));
   trials.set("components", column<Index>(r.cutTrials, [](const CutTrial &t) { return t.components; }));
   p.set("cutTrials", trials);
+  val candidates = val::object();
+  candidates.set("parts", column<Index>(r.candidates, [](const PartCandidate &c) { return c.parts; }));
+  candidates.set("blocks", column<Index>(r.candidates, [](const PartCandidate &c) { return c.blocks; }));
+  candidates.set("minScaledJacobian",
+                 column<double>(r.candidates, [](const PartCandidate &c) { return c.minScaledJacobian; }));
+  candidates.set("chosen",
+                 column<std::uint8_t>(r.candidates, [](const PartCandidate &c) { return c.chosen; }));
+  p.set("candidates", candidates);
   p.set("pulledComponents", r.pulledComponents);
   p.set("pulledParts", r.pulledParts);
   p.set("region", column<Index>(r.parts.parts, [](const PartInfo &i) { return i.region; }));
@@ -226,8 +234,8 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   return out;
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, history, coarsest}, every one a
-/// number in its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
+/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, history, coarsest, shape}, every one
+/// a number in its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
@@ -251,6 +259,7 @@ Result<PipelineOptions> readOptions(const val &settings) {
   const double relax = take("relax", 0, 1, "true or false.");
   const double history = take("history", 0, 1, "true or false.");
   const double coarsest = take("coarsest", 0, 1, "the mode layered or coarsest.");
+  const double shape = take("shape", 0, 1, "the objective blocks or shape.");
   std::vector<Index> surfaces;
   const val extract = settings["extract"];
   for (unsigned k = 0, n = extract.isArray() ? extract["length"].as<unsigned>() : 0; k < n; ++k) {
@@ -272,6 +281,7 @@ Result<PipelineOptions> readOptions(const val &settings) {
   PipelineOptions options;
   options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0,
                   std::move(insert)};
+  options.objective = shape > 0 ? Objective::shape : Objective::blocks;
   options.history = history > 0;
   options.edgeLength = edgeLength;
   options.seed = static_cast<std::uint32_t>(seed);

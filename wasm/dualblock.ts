@@ -55,10 +55,11 @@ export class Dualblock {
   run(settings: Partial<Settings> = {}, progress: Progress | null = null): RunResult {
     const wanted = { ...defaultSettings, ...settings };
     const featureAngle = wanted.featureAngle === 'auto' ? -1 : wanted.featureAngle;
-    const { mode, relax, history, insert } = wanted;
+    const { mode, objective, relax, history, insert } = wanted;
     const raw = {
       featureAngle,
       coarsest: Number(mode === 'coarsest'),
+      shape: Number(objective === 'shape'),
       relax: Number(relax),
       history: Number(history),
       insertFacets: Int32Array.from(insert, ({ facet }) => facet),

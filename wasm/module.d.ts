@@ -14,6 +14,8 @@ declare module '*/build/dualblock.mjs' {
     history: number;
     /** 0: the layered mesh, 1: as coarse as can be. */
     coarsest: number;
+    /** 0: parts that give few blocks, 1: parts that give the best shape. */
+    shape: number;
     extract: readonly number[];
     insertFacets: Int32Array;
     insertShares: Float64Array;

@@ -69,6 +69,15 @@ export function makeReport(
         smallestSine: parts.cutTrials.worstSine[k] ?? 0,
         components: parts.cutTrials.components[k] ?? 0,
       })),
+      objective: {
+        objective: settings.objective,
+        candidates: Array.from(parts.candidates.minScaledJacobian, (min, k) => ({
+          parts: parts.candidates.parts[k] ?? 0,
+          blocks: parts.candidates.blocks[k] ?? 0,
+          minScaledJacobian: Number.isFinite(min) ? min : 'not valid',
+          chosen: parts.candidates.chosen[k] === 1,
+        })),
+      },
       confinedFallback: { components: parts.pulledComponents, parts: parts.pulledParts },
     },
     contributions: { hard: contributions.hardCount, soft: contributions.softCount },
@@ -188,6 +197,7 @@ export function describe(report: Report): string {
       ? `  ${mesh.extracted.length} D̄-surfaces extracted, ${mesh.inserted} inserted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
+    describeObjective(parts.objective),
     quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
     report.refined
       ? `  refined: ${report.refined.elements} elements, ${report.refined.nodes} nodes, scaled Jacobian: minimum ${report.refined.scaledJacobian?.min.toFixed(3)}`
@@ -203,6 +213,15 @@ export function describe(report: Report): string {
   ]
     .filter((line) => line !== '')
     .join('\n');
+}
+
+/** What the objective `blocks` would have given, where other parts were chosen. */
+function describeObjective({ candidates }: Report['parts']['objective']): string {
+  const [first] = candidates;
+  if (!first || first.chosen) return '';
+  const min = first.minScaledJacobian;
+  const shape = typeof min === 'number' ? `scaled Jacobian: minimum ${min.toFixed(3)}` : min;
+  return `  best shape of ${candidates.length} choices of parts; for few blocks: ${first.blocks} blocks, ${shape}`;
 }
 
 function describeMatching({ input, certificate }: Report): string {

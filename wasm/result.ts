@@ -111,6 +111,16 @@ export interface RunResult {
       worstSine: Float64Array;
       components: Int32Array;
     };
+    /**
+     * Parts that were carried through to a mesh; first those that the objective `blocks` gives, and only those where it is
+     * asked for. Minus infinity where the mesh is not valid; `chosen` is 1 for one of them.
+     */
+    candidates: {
+      parts: Int32Array;
+      blocks: Int32Array;
+      minScaledJacobian: Float64Array;
+      chosen: Uint8Array;
+    };
     /** Components where only the parts that cuts left over became simplices, and how many parts those were. */
     pulledComponents: number;
     pulledParts: number;

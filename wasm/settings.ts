@@ -4,6 +4,9 @@ import { DualblockError } from './io/errors.ts';
 export const modes = ['layered', 'coarsest'] as const;
 export type Mode = (typeof modes)[number];
 
+export const objectives = ['blocks', 'shape'] as const;
+export type Objective = (typeof objectives)[number];
+
 export interface Settings {
   /** Longest edge of the reference mesh, in the units of the input; 0 for the coarsest. */
   edgeLength: number;
@@ -18,6 +21,8 @@ export interface Settings {
   featureAngle: number | 'auto';
   /** The mesh that is handed out: a layer of blocks along every side, or as few blocks as can be. */
   mode: Mode;
+  /** What parts are chosen for: few blocks, or the largest minimum of the scaled Jacobian. */
+  objective: Objective;
   /** D̄-surfaces of the layered mesh to extract, in this order; before coarsening, in the mode for that. */
   extract: readonly number[];
   /**
@@ -39,6 +44,7 @@ export const defaultSettings: Settings = {
   tolerance: 1e-6,
   featureAngle: 'auto',
   mode: 'layered',
+  objective: 'blocks',
   extract: [],
   insert: [],
   relax: true,

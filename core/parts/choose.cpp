@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dualblock {
 namespace {
@@ -23,17 +24,11 @@ template <int N> double smallestSine(const ReferenceMesh<N> &mesh, Index s) {
   return std::sqrt(std::max(0.0, 1 - largest * largest));
 }
 
-/// Blocks of a component, and the smallest sine of an angle in its parts.
-struct Score {
-  double blocks = 0;
-  double worstSine = 1;
-
-  /// Fewer blocks, but not so much worse; or as many and better.
-  bool isBetterThan(const Score &o) const {
-    if (blocks < o.blocks) return worstSine >= std::min(kGoodSine, 0.5 * o.worstSine);
-    return blocks == o.blocks && blocks < kNever && worstSine > o.worstSine + 1e-9;
-  }
-};
+/// Fewer blocks, but not so much worse; or as many and better.
+bool isBetter(const Score &a, const Score &b) {
+  if (a.blocks < b.blocks) return a.worstSine >= std::min(kGoodSine, 0.5 * b.worstSine);
+  return a.blocks == b.blocks && a.blocks < kNever && a.worstSine > b.worstSine + 1e-9;
+}
 
 /// A policy's result for the whole domain.
 template <int N> struct Trial {
@@ -67,11 +62,13 @@ public:
   }
 
   /// Cuts the mesh by a policy per component.
-  Trial<N> run(ReferenceMesh<N> mesh, std::vector<CutPolicy> policies, Index simplexLimit) {
+  Trial<N> run(ReferenceMesh<N> mesh, std::vector<CutPolicy> policies, Index simplexLimit,
+               Apex apex = Apex::corner) {
     Trial<N> trial;
     trial.policy = policies.empty() ? CutPolicy{} : policies[0];
     options_.policies = std::move(policies);
     options_.simplexLimit = simplexLimit;
+    options_.apex = apex;
     trial.mesh = std::move(mesh);
     trial.decomposition = decompose(trial.mesh, uncut_, options_);
     trial.scores = {ofCuts(trial), ofPulled(trial), std::vector<Score>(components_, {kNever, 0})};
@@ -193,14 +190,11 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   for (const Trial<N> &trial : trials) {
     CutTrial &result = choice.trials.emplace_back();
     result.policy = trial.policy;
-    for (const Score &score : trial.best) {
-      result.blocks += score.blocks;
-      result.worstSine = std::min(result.worstSine, score.worstSine);
-    }
+    for (const Score &score : trial.best) result.add(score);
   }
   for (std::size_t c = 0; c < components; ++c)
     for (std::size_t t = 1; t < trials.size(); ++t)
-      if (trials[t].best[c].isBetterThan(trials[chosen[c]].best[c])) chosen[c] = t;
+      if (isBetter(trials[t].best[c], trials[chosen[c]].best[c])) chosen[c] = t;
   for (const std::size_t t : chosen) ++choice.trials[t].components;
   std::size_t taken = chosen[0];
   if (std::find_if(chosen.begin(), chosen.end(), [&](std::size_t t) { return t != taken; }) != chosen.end()) {
@@ -212,13 +206,62 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   explain(trials[taken], choice);
   mesh = std::move(trials[taken].mesh);
   choice.source = std::move(trials[taken].source);
+  for (const Score &score : trials[taken].best) choice.score.add(score);
   choice.decomposition = std::move(trials[taken].decomposition);
   return choice;
+}
+
+template <int N>
+std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut,
+                                          const CutOptions &options, const CoarseMesh<N> &coarse,
+                                          const Score &chosen) {
+  std::vector<PartProposal<N>> proposals;
+  if (mesh.simplexCount() > kCheap) return proposals;
+  const std::size_t components = at(mesh.componentCount);
+  Chooser<N> chooser(uncut, options, coarse, components);
+  const auto propose = [&](const Trial<N> &trial, PartSource wanted) {
+    std::vector<PartSource> source = trial.source;
+    Score score;
+    for (std::size_t c = 0; c < components; ++c) {
+      const auto of = [&](PartSource s) { return trial.scores[static_cast<std::size_t>(s)][c]; };
+      if (of(wanted).blocks < kNever) source[c] = wanted;
+      score.add(of(source[c]));
+    }
+    const bool isKnown = // what scores alike to the last bit is the same
+        score == chosen || std::any_of(proposals.begin(), proposals.end(),
+                                       [&](const auto &p) { return score == p.choice.score; });
+    if (isKnown || score.blocks > kCheap) return;
+    PartProposal<N> &proposal = proposals.emplace_back();
+    proposal.mesh = trial.mesh;
+    proposal.choice.decomposition = trial.decomposition;
+    proposal.choice.score = score;
+    const auto count = [&](PartSource s) {
+      return static_cast<std::size_t>(std::count(source.begin(), source.end(), s));
+    };
+    if (count(PartSource::cuts) < components) proposal.choice.whySimplices = "simplices give a better shape";
+    if (count(PartSource::pulled) == components) { // of the mesh before rule 2
+      Decomposition<N> &made = proposal.choice.decomposition;
+      made.cuts -= std::exchange(made.vertexCuts, 0);
+    }
+    proposal.choice.source = std::move(source);
+  };
+  for (const CutPolicy &policy : policiesFor(uncut))
+    for (const Apex apex : kApexes) {
+      const Trial<N> trial = chooser.run(mesh, std::vector<CutPolicy>(components, policy), kCheap, apex);
+      for (const PartSource wanted : {PartSource::cuts, PartSource::pulled, PartSource::simplices})
+        propose(trial, wanted);
+      if (!trial.decomposition.pulled) break; // there is nothing that could have a centre
+    }
+  return proposals;
 }
 
 template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
                                    const CoarseMesh<2> &);
 template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
                                    const CoarseMesh<3> &);
+template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
+                                                   const CutOptions &, const CoarseMesh<2> &, const Score &);
+template std::vector<PartProposal<3>> proposeParts(const ReferenceMesh<3> &, const Parts<3> &,
+                                                   const CutOptions &, const CoarseMesh<3> &, const Score &);
 
 } // namespace dualblock

@@ -7,17 +7,28 @@
 
 namespace dualblock {
 
-/// What a policy of cutting comes to.
-struct CutTrial {
-  CutPolicy policy;
-  double blocks = 0;    // of the whole domain, simplices in place of cuts that do not serve
+/// What parts can be judged by before there is a mesh.
+struct Score {
+  double blocks = 0;
   double worstSine = 1; // smallest sine of an angle between two sides of a part
+
+  void add(const Score &o) {
+    blocks += o.blocks;
+    worstSine = std::min(worstSine, o.worstSine);
+  }
+  bool operator==(const Score &) const = default;
+};
+
+/// What a policy of cutting comes to for the whole domain, simplices in place of cuts that do not serve.
+struct CutTrial : Score {
+  CutPolicy policy;
   Index components = 0; // that took it
 };
 
 template <int N> struct PartChoice {
   Decomposition<N> decomposition;
   std::vector<PartSource> source; // per component
+  Score score;
   std::vector<CutTrial> trials;
   std::string whySimplices; // of the first component that does without cuts, or empty
   /// Blocks that cuts alone, the confined fallback and the reference simplices would give, as far as they
@@ -34,9 +45,29 @@ template <int N>
 PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
                           const CoarseMesh<N> &coarse);
 
+/// A mesh that has been cut, and the choice of parts that goes with it.
+template <int N> struct PartProposal {
+  ReferenceMesh<N> mesh;
+  PartChoice<N> choice;
+};
+
+/// What the parts could be other than `chosen`, whatever the number of blocks: by each policy the cut parts,
+/// simplices in place of those that are not simple, from every apex, and the reference
+/// simplices. Nothing where that would not be cheap to try.
+template <int N>
+std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut,
+                                          const CutOptions &options, const CoarseMesh<N> &coarse,
+                                          const Score &chosen);
+
 extern template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
                                           const CoarseMesh<2> &);
 extern template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
                                           const CoarseMesh<3> &);
+extern template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
+                                                          const CutOptions &, const CoarseMesh<2> &,
+                                                          const Score &);
+extern template std::vector<PartProposal<3>> proposeParts(const ReferenceMesh<3> &, const Parts<3> &,
+                                                          const CutOptions &, const CoarseMesh<3> &,
+                                                          const Score &);
 
 } // namespace dualblock

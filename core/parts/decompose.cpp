@@ -123,7 +123,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
     }
     const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                     [](const Corner &c) { return c.sides.size() > 3; });
-    if (needed) result.pulled = pullParts(mesh, result.parts);
+    if (needed) result.pulled = pullParts(mesh, result.parts, options.apex);
     const auto limit = [&](Index component) {
       return std::min(options.blockLimit(component), result.pulled->blocks[at(component)]);
     };

@@ -14,6 +14,7 @@ namespace dualblock {
 struct DecomposeOptions : CutOptions {
   std::vector<CutPolicy> policies;         // per component; empty: the default for all
   Index simplexLimit = 0;                  // give up when the mesh has more; 0: no limit
+  Apex apex = Apex::corner;                // of the parts that are pulled
   std::function<double(Index)> blockLimit; // of a component: give up when its parts would give more blocks
                                            // than this; asked for only where vertices have to be cut
 };

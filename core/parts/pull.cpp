@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/sort.h"
+#include "geometry/linear_programme.h"
 
 namespace dualblock {
 namespace {
@@ -80,9 +81,54 @@ private:
   std::vector<Index> valence_;
 };
 
+/// A triangle of a part's boundary.
+struct SideTriangle {
+  Index side;
+  std::array<Index, 3> nodes; // of one side, all run round it alike
+};
+
+/// The part's point that is furthest from the planes of its sides, if it is behind all of them.
+std::optional<Vec<3>> centreOf(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index part) {
+  const Vec<3> origin =
+      mesh.nodes[at(mesh.simplices[at(parts.sideFaces.begin(*parts.partSides.begin(part))->simplex)][0])];
+  std::vector<LinearConstraint<4>> behind; // x, y, z and the distance, in units of the domain's size
+  for (const Index *side = parts.partSides.begin(part); side != parts.partSides.end(part); ++side) {
+    const FaceRef<3> face = *parts.sideFaces.begin(*side);
+    const Vec<3> n = mesh.outwardNormal(face.simplex, face.face);
+    const Vec<3> on = mesh.nodes[at(mesh.sortedFace(face.simplex, face.face)[0])];
+    behind.push_back({{n.x, n.y, n.z, 1}, glm::dot(n, on - origin) / mesh.size});
+  }
+  const auto found = solveLinearProgramme<4>(std::move(behind), {0, 0, 0, 1}, 2);
+  if (!found || !((*found)[3] > 1e-6)) return std::nullopt;
+  return origin + mesh.size * Vec<3>((*found)[0], (*found)[1], (*found)[2]);
+}
+
+/// Divides a side: around its centre, if it has one, or from the first corner of the cycle.
+void divideSide(Index side, const std::vector<Index> &cycle, Index centre,
+                std::vector<SideTriangle> &triangles) {
+  const std::size_t n = cycle.size();
+  if (centre == kNone)
+    for (std::size_t k = 1; k + 1 < n; ++k) triangles.push_back({side, {cycle[0], cycle[k], cycle[k + 1]}});
+  else
+    for (std::size_t k = 0; k < n; ++k) triangles.push_back({side, {centre, cycle[k], cycle[(k + 1) % n]}});
+}
+
+/// Whether the apex sees the whole of every side from within: no triangle is turned over.
+bool seesAll(const std::vector<Vec<3>> &nodes, const std::vector<SideTriangle> &triangles, Index apex) {
+  Index side = kNone;
+  double first = 0;
+  for (const SideTriangle &t : triangles) {
+    const double volume = orientation<3>(nodes, {apex, t.nodes[0], t.nodes[1], t.nodes[2]});
+    if (t.side != side) first = volume;
+    side = t.side;
+    if (!(first * volume > 0)) return false;
+  }
+  return true;
+}
+
 } // namespace
 
-PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
+PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Apex wanted) {
   const std::vector<std::vector<Index>> polygons = sidePolygons(parts);
   const std::vector<bool> simplify = closureOf(parts, polygons);
   const PullOrder isBefore(parts, polygons, simplify, mesh.nodes.size());
@@ -97,21 +143,29 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
   const Index inner = toIndex(out.surfaces.size());
   out.surfaces.push_back({SurfaceKind::simplexFace, kNone, {}});
 
-  std::vector<Index> number(mesh.nodes.size(), kNone);
+  std::vector<Vec<3>> nodes = mesh.nodes; // and centres
+  std::vector<Index> number(nodes.size(), kNone);
   const auto nodeOf = [&](Index node) {
     Index &n = number[at(node)];
     if (n == kNone) {
       n = out.nodeCount();
-      out.nodes.push_back(mesh.nodes[at(node)]);
+      out.nodes.push_back(nodes[at(node)]);
     }
     return n;
   };
+  const auto addNode = [&](const Vec<3> &x) {
+    nodes.push_back(x);
+    number.push_back(kNone);
+    return toIndex(nodes.size()) - 1;
+  };
   std::map<std::array<Index, 3>, Index> tagOf; // per part: faces on its sides
+  std::vector<SideTriangle> triangles;
   for (Index p = 0; p < toIndex(parts.parts.size()); ++p) {
     const std::size_t c = at(component[at(p)]);
     const auto cannot = [&] { result.blocks[c] = std::numeric_limits<double>::infinity(); };
     Index apex = kNone;
     std::size_t corners = 0;
+    Index triangleCount = 0; // without centres
     for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
       const auto &polygon = polygons[at(*side)];
       const Surface<3> &surface = mesh.surfaces[at(FaceTag::surface(parts.sides[at(*side)].tag))];
@@ -120,26 +174,46 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
       for (const Index node : polygon)
         if (apex == kNone || isBefore(node, apex)) apex = node;
       corners += polygon.size();
+      triangleCount += toIndex(polygon.size()) - 2;
     }
     if (result.blocks[c] == std::numeric_limits<double>::infinity()) continue;
+    const bool hasCentre = wanted == Apex::centre && simplify[at(p)] && triangleCount > 4; // no simplex yet
+    if (hasCentre) {
+      const auto centre = centreOf(mesh, parts, p);
+      if (centre) apex = addNode(*centre);
+      else cannot();
+    }
+    const auto missesApex = [&](Index side) {
+      const std::vector<Index> &polygon = polygons[at(side)];
+      return std::find(polygon.begin(), polygon.end(), apex) == polygon.end();
+    };
     // Pulling: each side from its first corner in the order, the part from its own; so neighbours divide a
-    // common side alike.
+    // common side alike. Only where nothing is behind a side it may have a centre instead.
     tagOf.clear();
-    std::vector<std::array<Index, 4>> simplices;
+    triangles.clear();
     for (const Index *side = parts.partSides.begin(p); side != parts.partSides.end(p); ++side) {
       std::vector<Index> cycle = polygons[at(*side)];
       std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), isBefore), cycle.end());
-      for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
-        std::array<Index, 3> face{cycle[0], cycle[k], cycle[k + 1]};
-        sortItems(face);
-        tagOf[face] = parts.sides[at(*side)].tag;
-        if (cycle[0] != apex && std::find(cycle.begin(), cycle.end(), apex) == cycle.end())
-          simplices.push_back({apex, cycle[0], cycle[k], cycle[k + 1]});
+      Index centre = kNone;
+      if (wanted != Apex::corner && simplify[at(p)] && cycle.size() > 3 && missesApex(*side) &&
+          parts.sides[at(*side)].opposite == kNone) {
+        Vec<3> sum(0.0);
+        for (const Index node : cycle) sum += nodes[at(node)];
+        centre = addNode(sum / static_cast<double>(cycle.size()));
       }
+      divideSide(*side, cycle, centre, triangles);
+    }
+    if (hasCentre && !seesAll(nodes, triangles, apex)) cannot();
+    std::vector<std::array<Index, 4>> simplices;
+    for (const auto &[side, v] : triangles) {
+      std::array<Index, 3> face = v;
+      sortItems(face);
+      tagOf[face] = parts.sides[at(side)].tag;
+      if (missesApex(side)) simplices.push_back({apex, v[0], v[1], v[2]});
     }
     const Index first = out.simplexCount();
     for (std::array<Index, 4> &s : simplices) {
-      double volume = orientation<3>(mesh.nodes, s);
+      double volume = orientation<3>(nodes, s);
       if (volume < 0) {
         std::swap(s[2], s[3]);
         volume = -volume;

@@ -91,6 +91,7 @@ describe('a certified mesh', () => {
       timeLimit: 0,
       tolerance: 1e-7,
       mode: 'layered',
+      objective: 'blocks',
       extract: [],
       insert: [],
       history: false,

@@ -15,6 +15,7 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     featureAngle: 20,
     timeLimit: 60,
     mode: 'coarsest',
+    objective: 'shape',
     extract: [3],
     insert: [{ facet: 0, share: 0.25 }],
     relax: false,

@@ -1,6 +1,6 @@
 // The command line as a value: strict, so that a slip never changes what is computed.
 import { parseArgs } from 'node:util';
-import { type Mode, modes } from '../settings.ts';
+import { type Mode, modes, type Objective, objectives } from '../settings.ts';
 import { findOption, nearestOption, options } from './options.ts';
 import { type GivenRefinement, refinementOf } from './refinement.ts';
 import { type GivenInsertion, insertionOf } from './sides.ts';
@@ -17,6 +17,7 @@ export interface GivenSettings {
   featureAngle?: number | 'auto';
   timeLimit?: number;
   mode?: Mode;
+  objective?: Objective;
   extract?: number[];
   relax?: false;
   insert?: GivenInsertion[];
@@ -94,6 +95,7 @@ function checkOf(inputs: string[], given: Map<string, string[]>): Command {
     'reference',
     'seed',
     'mode',
+    'objective',
     'extract',
     'insert',
     'no-relax',
@@ -228,6 +230,12 @@ function meshSettingsOf(given: Map<string, string[]>): GivenSettings {
     const known = modes.find((m) => m === mode);
     if (!known) throw badValue('mode', mode, 'layered or coarsest');
     settings.mode = known;
+  }
+  const objective = given.get('objective')?.[0];
+  if (objective !== undefined) {
+    const known = objectives.find((o) => o === objective);
+    if (!known) throw badValue('objective', objective, 'blocks or shape');
+    settings.objective = known;
   }
   const extract = given.get('extract');
   if (extract)

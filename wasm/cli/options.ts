@@ -29,6 +29,10 @@ export const options = {
     help: 'facets that meet at less are one bent side, 0 to 180; auto: 35, if six join',
   },
   mode: { value: 'MODE', help: 'layered: blocks along every side (default); coarsest: as few as can be' },
+  objective: {
+    value: 'MODE',
+    help: 'of the choice of parts: blocks, few of them (default), or shape, the best',
+  },
   extract: { value: 'ID', repeatable: true, help: 'collapse the layer of a D̄-surface; may be repeated' },
   insert: {
     value: 'FACET=SHARE',
