@@ -234,8 +234,9 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   return out;
 }
 
-/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, history, coarsest, shape}, every one
-/// a number in its range, extract, an array of whole numbers, and insertFacets and insertShares, typed arrays.
+/// settings: {edgeLength, seed, tolerance, featureAngle, timeLimit, relax, history, coarsest, shape}, every
+/// one a number in its range, extract, an array of whole numbers, and insertFacets and insertShares, typed
+/// arrays.
 Result<PipelineOptions> readOptions(const val &settings) {
   std::optional<Error> wrong;
   const auto take = [&](const char *name, double low, double high, const char *wanted) {
