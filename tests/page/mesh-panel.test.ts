@@ -96,13 +96,32 @@ describe('D̄-surfaces', () => {
   });
 });
 
+it('parts are chosen for the shape of blocks on demand, which is undone', async () => {
+  const opened = await openMesh('icosahedron');
+  const { page } = opened;
+  const worst = (): Promise<number> =>
+    page.evaluate(() => Math.min(...dualblock.model!.result.primal.quality));
+  const before = await worst();
+  await page.getByRole('button', { name: 'Good shape' }).click();
+  await settle(page);
+  expect(await worst()).toBeGreaterThan(2 * before);
+  expect(await page.textContent('#verdict')).toBe('Valid');
+  await page.evaluate(() => dualblock.undo());
+  await settle(page);
+  expect(await worst()).toBe(before);
+  expectNoProblems(opened);
+  await page.close();
+});
+
 describe('intervals', () => {
   it('go for all edges, or for those of a D̄-surface, at once', async () => {
     const opened = await openMesh('tapered_brick');
     const { page } = opened;
     await slide(page, /^Intervals/, 2);
     expect(await elements(page)).toBe(8 * 8);
-    const first = (await page.locator('.sheet-name').first().textContent())!.match(/D̄-surface (\d+)4 blocks/)![1]!;
+    const first = (await page.locator('.sheet-name').first().textContent())!.match(
+      /D̄-surface (\d+)4 blocks/,
+    )![1]!;
     await page.getByRole('slider', { name: `Intervals across D̄-surface ${first}`, exact: true }).fill('5');
     await settle(page);
     expect(await elements(page)).toBe(4 * 8 + 4 * 20);

@@ -1,5 +1,5 @@
 // The mesh that is handed out: which D̄-surfaces it keeps, and how finely its blocks are divided.
-import type { Mode } from '../../../wasm/settings.ts';
+import type { Mode, Objective } from '../../../wasm/settings.ts';
 import { elementCount, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
 import { cssColour, distinct } from '../scene/palette.ts';
 import { mostGrowth, mostIntervals } from '../state/view-state.ts';
@@ -32,11 +32,20 @@ export function MeshPanel() {
 /** Which mesh is handed out: steps 1 to 8 show the layered one all the same. */
 function Blocks() {
   const app = useApp();
-  const { mode, extract, insert } = useView((s) => s.reference);
+  const { objective, mode, extract, insert } = useView((s) => s.reference);
   const { mesh } = app.model!.result;
   return (
     <section aria-label="Blocks">
       <h3>Blocks</h3>
+      <Choice<Objective>
+        label="Parts are chosen for"
+        value={objective}
+        choices={[
+          ['blocks', 'Few blocks'],
+          ['shape', 'Good shape'],
+        ]}
+        onChoose={(chosen) => void app.setReference({ objective: chosen })}
+      />
       <Choice<Mode>
         label="Mesh"
         value={mode}

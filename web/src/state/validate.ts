@@ -1,5 +1,5 @@
 // A view state from outside (a link, a file, a picture): whatever is missing or wrong takes its default.
-import { modes } from '../../../wasm/settings.ts';
+import { modes, objectives } from '../../../wasm/settings.ts';
 import {
   type Camera,
   defaultState,
@@ -140,6 +140,7 @@ export function validState(given: unknown): ViewState {
       edgeLength: number(reference['edgeLength'], 0, huge, 0),
       seed: Math.round(number(reference['seed'], 0, 2 ** 32 - 1, 0)),
       featureAngle: nullable(reference['featureAngle'], 0, 180) ?? 'auto',
+      objective: oneOf(reference['objective'], objectives, 'blocks'),
       mode: oneOf(reference['mode'], modes, 'layered'),
       extract: Array.isArray(reference['extract'])
         ? reference['extract'].slice(0, 2000).flatMap((x) => count(x) ?? [])

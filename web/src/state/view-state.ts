@@ -1,6 +1,6 @@
 // What is seen, as one plain value: everything that undo, links, state files and PNGs restore.
 
-import type { Mode } from '../../../wasm/settings.ts';
+import type { Mode, Objective } from '../../../wasm/settings.ts';
 
 export const steps = [
   { id: 1, name: 'Domain', short: 'Domain' },
@@ -86,6 +86,8 @@ export interface Reference {
   edgeLength: number;
   seed: number;
   featureAngle: number | 'auto';
+  /** What parts are chosen for. */
+  objective: Objective;
   /** Which mesh is made of the layered one. */
   mode: Mode;
   /** D̄-surfaces that are extracted from it first, in this order. */
@@ -138,7 +140,15 @@ export const firstExample = 'square_ring';
 
 export const defaultState: ViewState = {
   model: { source: 'example', name: firstExample },
-  reference: { edgeLength: 0, seed: 0, featureAngle: 'auto', mode: 'layered', extract: [], insert: [] },
+  reference: {
+    edgeLength: 0,
+    seed: 0,
+    featureAngle: 'auto',
+    objective: 'blocks',
+    mode: 'layered',
+    extract: [],
+    insert: [],
+  },
   timeLimit: 0,
   step: 8,
   compare: null,
