@@ -338,7 +338,7 @@ private:
     });
   }
 
-  /// The elements' edges along those of the block, each of which is listed once.
+  /// The elements' edges along those of the block, each of which is listed once; a straight one as a whole.
   void addOutline(Index b, Index firstElement) {
     for (int axis = 0; axis < N; ++axis)
       for (unsigned bits = 0; bits < 1U << N; ++bits) {
@@ -353,8 +353,9 @@ private:
             c[a] = n_[a] - 1;
             place += at(n_[a]) * stride_[a];
           }
-        const std::size_t step = stride_[at(axis)];
-        for (Index &k = c[at(axis)]; k < n_[at(axis)]; ++k, place += step)
+        const Index span = isStraightEdge_[at(edge)] ? n_[at(axis)] : 1;
+        const std::size_t step = at(span) * stride_[at(axis)];
+        for (Index &k = c[at(axis)]; k < n_[at(axis)]; k += span, place += step)
           result_.outline.push_back({grid_[place], grid_[place + step], firstElement + elementInBlock(c)});
       }
   }

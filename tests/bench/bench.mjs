@@ -42,11 +42,14 @@ async function measureWasm(name, edge) {
   const peak = core.memory().peak / 2 ** 20;
   const { timings } = r;
   if (name !== 'cells') return { filled: r.reference.filled, valid: r.certificate.valid, timings, peak };
-  const { Refiner, refineInput } = await load('wasm/refine.ts');
-  const refiner = await Refiner.create({ wasmBinary: bytesOf('wasm/build/refinement.wasm') });
+  const { refineInput } = await load('wasm/refine.ts');
+  const { default: createRefinement } = await import('../../wasm/build/refinement.mjs');
+  const module = await createRefinement({ wasmBinary: bytesOf('wasm/build/refinement.wasm') });
   const blocks = r.primal.quality.length;
   const start = performance.now();
-  const refined = refiner.refine(refineInput(r), { intervals: Math.ceil(Math.cbrt(1e6 / blocks)) });
+  const none = { size: 0, limit: 2e7, ofSurface: new Int32Array(), gradedFacets: new Int32Array() };
+  const intervals = Math.ceil(Math.cbrt(1e6 / blocks));
+  const refined = module.refine(refineInput(r), { ...none, intervals, growths: new Float64Array() }, null);
   const refinement = performance.now() - start;
   return { blocks, relaxation: timings.relaxation, elements: refined.quality.length, refinement };
 }

@@ -140,6 +140,32 @@ TEST(RefineCounts, FollowTheSurfaces) {
   EXPECT_TRUE(certificateOf(r, mesh).valid);
 }
 
+// Straight edges of blocks are one piece of the outline, bent ones as many as they have intervals.
+TEST(RefineCounts, OutlineIsTheEdgesOfTheBlocks) {
+  const auto box = refined(run(loadExample<3>("tapered_brick"), coarsest()), intervals(4));
+  EXPECT_EQ(box.outline.size(), 12U);
+  const auto r = run(loadExample<3>("cylinder"));
+  const auto mesh = refined(r, intervals(4));
+  std::size_t bent = 0;
+  for (const PrimalEdge &e : r.primal.edges) {
+    const auto radius = [&](Index v) {
+      return std::hypot(r.primal.positions[at(v)].x, r.primal.positions[at(v)].y);
+    };
+    const double chord = glm::length(r.primal.positions[at(e.nodes[0])] - r.primal.positions[at(e.nodes[1])]);
+    const double height =
+        std::abs(r.primal.positions[at(e.nodes[0])].z - r.primal.positions[at(e.nodes[1])].z);
+    const bool around = height < 1e-9 && radius(e.nodes[0]) > 0.97 && radius(e.nodes[1]) > 0.97;
+    bent += around && chord > 1e-9 ? 1 : 0;
+  }
+  ASSERT_GT(bent, 0U);
+  EXPECT_GE(mesh.outline.size(), r.primal.edges.size() + 3 * bent); // and those that run along the side
+  for (const auto &[a, b, element] : mesh.outline) {
+    const auto &nodes = mesh.elements[at(element)];
+    EXPECT_EQ(std::count(nodes.begin(), nodes.end(), a), 1);
+    EXPECT_NE(a, b);
+  }
+}
+
 TEST(RefineCounts, SizeKeepsEveryEdgeBelowIt) {
   const auto r = run(loadExample<3>("protrusion"), coarsest());
   RefineOptions options;

@@ -89,13 +89,27 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
     nodes.set(elements.subarray(8 * e, 8 * e + 8), 8 * k);
   });
   return {
-    cells: displayBlocks(3, positions, nodes),
+    cells: displayOuter(mesh, nodes),
     outline: outlineOf(3, mesh, element),
     element,
     block: element.map((e) => block[e]!),
     quality: Float64Array.from(element, (e) => quality[e]!),
     allQuality: quality,
   };
+}
+
+/** Elements at the boundary; what they have behind them is not drawn. */
+function displayOuter({ positions, boundaryFaces }: RefinedMesh, cells: Int32Array): CellSet {
+  const isOuter = new Uint8Array(positions.length / 3);
+  for (const node of boundaryFaces) isOuter[node] = 1;
+  const { faces, vertices } = shapes.hexahedron;
+  const neighbors = findNeighbors(faces, vertices, cells);
+  for (let f = 0; f < neighbors.length; f++) {
+    const cell = Math.floor(f / faces.length);
+    const own = (v: number): number => cells[vertices * cell + v]!;
+    if (neighbors[f]! < 0 && faces[f % faces.length]!.some((v) => !isOuter[own(v)])) neighbors[f] = -2;
+  }
+  return uniformCells(shapes.hexahedron, 3, positions, cells, neighbors);
 }
 
 /** `element`: those that are drawn; null for all. */

@@ -10,7 +10,10 @@ export interface CellSet {
   faceOffsets: Int32Array;
   facePoints: Int32Array;
   faceCell: Int32Array;
-  /** The cell on the face's other side, or -1 where it is always seen. */
+  /**
+   * The cell on the face's other side; -1 where it is always seen, -2 where there is one that is not in the set, so that
+   * it is seen only where something has been taken away.
+   */
   faceOther: Int32Array;
   /** Outlines: two points each, and the two faces (or one and -1) that they belong to. */
   lines: Int32Array;

@@ -78,7 +78,8 @@ export class CellLayer extends Layer {
     for (let f = 0; f < exposed.length; f++) {
       const other = set.faceOther[f]!;
       const visible = mask === null || mask[set.faceCell[f]!] !== 0;
-      exposed[f] = visible && (gaps || other < 0 || (mask !== null && mask[other] === 0)) ? 1 : 0;
+      const open = other === -1 || (mask !== null && (other < 0 || mask[other] === 0));
+      exposed[f] = visible && (gaps || open) ? 1 : 0;
     }
     if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
     if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, gaps, out));
