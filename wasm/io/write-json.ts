@@ -5,7 +5,8 @@ import type { Chunks } from './block-mesh.ts';
 
 /** One line per array would be unreadable and one per number huge: all of it stands on one line. */
 export function* writeJson(result: RunResult, refined: RefinedMesh | null = null): Chunks {
-  const { timings: _, ...rest } = result; // the same input must give the same bytes
+  // The same input must give the same bytes, whether or not somebody watched the nodes move.
+  const { timings: _, ...rest } = { ...result, primal: { ...result.primal, history: undefined } };
   const plain = (_key: string, value: unknown) =>
     ArrayBuffer.isView(value) && !(value instanceof DataView) ? Array.from(value as Float64Array) : value;
   const whole = { format: 'dualblock-mesh/1', ...rest, ok: undefined };
