@@ -87,13 +87,6 @@ template <int N>
 Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
                                       const Progress &progress = {});
 
-/// Per surface of the reference mesh, its patch: what refineBlocks wants to know.
-template <int N> std::vector<Index> patchOfSurface(const ReferenceMesh<N> &mesh) {
-  std::vector<Index> patches;
-  for (const Surface<N> &surface : mesh.surfaces) patches.push_back(surface.patch);
-  return patches;
-}
-
 /// Refines the mesh that a run hands out: the final mesh, or the primal where there is none. Errors: as
 /// refineBlocks.
 template <int N>

@@ -7,12 +7,11 @@ template <int N>
 Insertion<N> insertAlong(const ReferenceMesh<N> &mesh, const BentShape<N> &shape, const BlockMesh<N> &blocks,
                          Index facet, double share) {
   Insertion<N> result;
-  std::vector<Index> patchOfSurface;
-  for (const Surface<N> &surface : mesh.surfaces) patchOfSurface.push_back(surface.patch);
-  const Skeleton<N> skeleton = skeletonOf(blocks, patchOfSurface);
+  const std::vector<Index> patches = patchOfSurface(mesh);
+  const Skeleton<N> skeleton = skeletonOf(blocks, patches);
   const Directions directions = directionsOf(blocks, skeleton);
   const std::vector<unsigned> ends =
-      endsOnSide(blocks, skeleton, directions, patchOfSurface, patchOf(patchOfSurface, facet));
+      endsOnSide(blocks, skeleton, directions, patches, patchOf(patches, facet));
   std::vector<Index> newId(ends.size(), kNone);
   for (std::size_t s = 0; s < ends.size(); ++s) {
     if (ends[s] == 0) continue;

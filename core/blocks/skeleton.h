@@ -31,6 +31,13 @@ template <int N> struct Skeleton {
   std::vector<Index> patchOfFace;                // that it lies on, or kNone
 };
 
+/// Surface::patch of each surface of the reference mesh.
+template <int N> std::vector<Index> patchOfSurface(const ReferenceMesh<N> &mesh) {
+  std::vector<Index> patches;
+  for (const Surface<N> &surface : mesh.surfaces) patches.push_back(surface.patch);
+  return patches;
+}
+
 /// The patch of a surface, given Surface::patch of each: half of ReferenceMesh::sideKey.
 inline Index patchOf(const std::vector<Index> &patchOfSurface, Index surface) {
   const Index patch = patchOfSurface[at(surface)];

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import {
   chooseFile,
   downloaded,
+  elements,
   expectNoProblems,
   openExample,
   settle,
@@ -14,8 +15,6 @@ import {
 
 const host = usePage();
 
-const elements = (page: Page): Promise<number> =>
-  page.evaluate(() => dualblock.stage.scene?.refinement?.allQuality.length ?? 0);
 const surfaces = (page: Page): Promise<number> => page.locator('.sheets li').count();
 const slide = async (page: Page, label: RegExp, value: number): Promise<void> => {
   await page

@@ -5,6 +5,7 @@ import {
   canvasShot,
   chooseFile,
   downloaded,
+  elements,
   expectNoProblems,
   openExample,
   phone,
@@ -91,9 +92,6 @@ describe('the feature angle', () => {
 });
 
 describe('the coarsest mesh', () => {
-  const elements = (page: Page): Promise<number> =>
-    page.evaluate(() => dualblock.stage.scene?.refinement?.quality.length ?? 0);
-
   it('is what step 9 shows and files hold, while steps 1 to 8 stay; it comes back by a link and is undone', async () => {
     const opened = await host.open();
     const { page } = opened;

@@ -5,7 +5,7 @@ import { featureKinds, tallyFeatures } from '../../../wasm/report.ts';
 import type { Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
-import { elementCount, type SurfaceLayer, surfaceLayers } from './final-mesh.ts';
+import { elementCount, intervalsAcross, type SurfaceLayer, surfaceLayers } from './final-mesh.ts';
 import { kindName, type Model } from './model.ts';
 import { facetOfSide, relate, sidesOfContribution } from './provenance.ts';
 
@@ -153,7 +153,7 @@ export function explain({ result, display }: Model, step: Step, refinement: Refi
     case 9: {
       const { mesh } = result;
       const blockCount = (mesh ?? primal).quality.length;
-      const lead = mesh
+      const lead = mesh?.extracted.length
         ? 'D̄-surfaces have been extracted, each with the layer of blocks that it crosses, while every feature was kept. '
         : '';
       return {
@@ -176,9 +176,9 @@ export function explain({ result, display }: Model, step: Step, refinement: Refi
 }
 
 /** The fewest and the most intervals of an edge. */
-function intervalRange({ intervals, ofSurface }: Refinement, layers: readonly SurfaceLayer[]): string {
-  const own = new Map(ofSurface.map(({ surface, intervals: n }) => [surface, n]));
-  const counts = layers.map(({ surface }) => own.get(surface) ?? intervals);
+function intervalRange(refinement: Refinement, layers: readonly SurfaceLayer[]): string {
+  const across = intervalsAcross(refinement);
+  const counts = layers.map(({ surface }) => across(surface));
   const [low, high] = [Math.min(...counts), Math.max(...counts)];
   return low === high ? String(low) : `${low} to ${high}`;
 }

@@ -41,15 +41,21 @@ export function refinementOf(
   };
 }
 
-/** How many elements that makes. */
-export function elementCount(result: RunResult, { intervals, ofSurface }: Refinement): number {
-  const { dimension } = result;
+/** The intervals of the edges that a D̄-surface crosses. */
+export function intervalsAcross({ intervals, ofSurface }: Refinement): (surface: number) => number {
   const own = new Map(ofSurface.map(({ surface, intervals: n }) => [surface, n]));
+  return (surface) => own.get(surface) ?? intervals;
+}
+
+/** How many elements that makes. */
+export function elementCount(result: RunResult, refinement: Refinement): number {
+  const { dimension } = result;
+  const across = intervalsAcross(refinement);
   const surfaces = surfacesOf(result);
   let total = 0;
   for (let b = 0; b < surfaces.length; b += dimension) {
     let count = 1;
-    for (let axis = 0; axis < dimension; axis++) count *= own.get(surfaces[b + axis]!) ?? intervals;
+    for (let axis = 0; axis < dimension; axis++) count *= across(surfaces[b + axis]!);
     total += count;
   }
   return total;

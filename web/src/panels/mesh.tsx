@@ -1,6 +1,6 @@
 // The mesh that is handed out: which D̄-surfaces it keeps, and how finely its blocks are divided.
 import type { Mode, Objective } from '../../../wasm/settings.ts';
-import { elementCount, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
+import { elementCount, layeredSurface, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
 import { cssColour, distinct } from '../scene/palette.ts';
 import { mostGrowth, mostIntervals } from '../state/view-state.ts';
 import { Choice, Icon, IconButton, Slider, Swatch } from './controls.tsx';
@@ -110,6 +110,7 @@ function Surfaces() {
   const { selection, intervals, refine, reference } = useView((s) => s);
   const { result } = app.model!;
   const layers = surfaceLayers(result);
+  const layered = layeredSurface(result);
   const name = result.dimension === 2 ? 'D̄-curve' : 'D̄-surface';
   const set = (surface: number, n: number): void => {
     app.view.set({ intervals: { ...intervals, [surface]: n } }, { merge: `intervals ${surface}` });
@@ -127,7 +128,7 @@ function Surfaces() {
       )}
       <ul class="sheets">
         {layers.slice(0, longestList).map(({ surface, blocks }) => {
-          const isSelected = selection?.kind === 'surface' && selection.id === surface;
+          const isSelected = selection?.kind === 'surface' && selection.id === layered(surface);
           const own = intervals[surface] ?? refine;
           return (
             <li key={surface}>
@@ -135,7 +136,7 @@ function Surfaces() {
                 type="button"
                 class="sheet-name"
                 aria-pressed={isSelected}
-                onClick={() => app.select({ kind: 'surface', id: surface })}
+                onClick={() => app.select({ kind: 'surface', id: layered(surface) })}
               >
                 <Swatch colour={cssColour(distinct(surface))} />
                 <span>
@@ -149,7 +150,7 @@ function Surfaces() {
                 class="extract"
                 aria-label={`Extract ${name} ${surface}`}
                 title="Collapse its layer of blocks"
-                disabled={layers.length < 2}
+                disabled={layers.length < 2 || layered(surface) !== surface}
                 onClick={() => void app.setReference({ extract: [...reference.extract, surface] })}
               >
                 Extract
