@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/parallel.h"
 #include "blocks/relax.h"
 #include "contributions/given_matching.h"
 #include "contributions/repair.h"
@@ -15,6 +16,7 @@ namespace dualblock {
 namespace {
 
 constexpr Index kLongestHistory = 5000;
+constexpr Index kWorthThread = 1000; // D-bar-cells; fewer are checked before a thread has begun
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;     // then all components fall back
 constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal: fewer blocks win
@@ -81,6 +83,11 @@ template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r, bool h
 
 template <int N>
 [[gnu::noinline]] void buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock) {
+  const CertificateInput<N> toCertify{r.domain.domain, r.features,        r.featureNodes, r.mesh,
+                                      r.parts,         r.contributions,   r.dual,         r.surfaces,
+                                      r.primal,        r.domain.deviation};
+  Certificate ofDual;
+  Aside dual(r.dual.cellCount >= kWorthThread, [&] { ofDual = certifyDual(toCertify); });
   clock.start("primal", 0.7);
   r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
   clock.start("placement", 0.8);
@@ -92,17 +99,14 @@ template <int N>
     relaxPrimal(r, options.history);
   }
   clock.start("certificate", 0.9);
-  const auto judge = [&] {
-    r.certificate = certify<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, r.parts, r.contributions,
-                                r.dual, r.surfaces, r.primal, r.domain.deviation});
-  };
-  judge();
+  dual.finish();
+  r.certificate = certify(toCertify, ofDual);
   if (!r.certificate.valid &&
       options.mode.relax) { // where bent sides nearly touch, the first places may serve better
     std::swap(r.primal.positions, placed);
     r.history.clear();
     const Certificate relaxed = std::move(r.certificate);
-    judge();
+    r.certificate = certify(toCertify, ofDual);
     if (!r.certificate.valid) {
       std::swap(r.primal.positions, placed);
       r.certificate = relaxed;

@@ -4,6 +4,10 @@
 // characteristic (the reduced one of a simplex's link is its weight, 0 for simplices on the boundary).
 #include <memory>
 
+#include <numeric>
+
+#include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -148,23 +152,70 @@ template <int N> void countNodesAndEdges(const CertificateInput<N> &in, EulerCou
   }
 }
 
+/// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
+struct Pinch {
+  Index node, simplex;
+};
+
+/// In 2D there are none: unpinch has doubled them.
+std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
+  // Corners of outer faces: two at one node go together where their faces share an edge there.
+  struct Corner {
+    Pinch pinch;
+    std::array<Index, 2> others; // nodes of the face
+  };
+  std::vector<Corner> corners;
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (int i = 0; i < 4; ++i) {
+      if (mesh.neighbors[at(s)][i] != kNone) continue;
+      for (int v = 0; v < 4; ++v) {
+        if (v == i) continue;
+        Corner corner{{mesh.simplices[at(s)][v], s}, {}};
+        for (int w = 0, m = 0; w < 4; ++w)
+          if (w != i && w != v) corner.others[at(m++)] = mesh.simplices[at(s)][w];
+        corners.push_back(corner);
+      }
+    }
+  std::vector<Index> byNode(corners.size());
+  std::iota(byNode.begin(), byNode.end(), 0);
+  sortByIndex(
+      byNode, mesh.nodes.size(), [&](Index c) { return corners[at(c)].pinch.node; },
+      [](Index, Index) { return false; });
+  DisjointSets sets(corners.size());
+  std::vector<Index> last(mesh.nodes.size(), kNone); // corner, at the same node, whose face has this one, too
+  for (const Index c : byNode)
+    for (const Index other : corners[at(c)].others) {
+      Index &before = last[at(other)];
+      if (before != kNone && corners[at(before)].pinch.node == corners[at(c)].pinch.node)
+        sets.unite(before, c);
+      before = c;
+    }
+  std::vector<bool> seen(mesh.nodes.size(), false);
+  std::vector<Pinch> pinches;
+  for (Index c = 0; c < toIndex(corners.size()); ++c) {
+    if (sets.find(c) != c) continue;
+    const Pinch &pinch = corners[at(c)].pinch;
+    if (seen[at(pinch.node)]) pinches.push_back(pinch);
+    seen[at(pinch.node)] = true;
+  }
+  return pinches;
+}
+
 /// What each cell's Euler characteristic should be: 1, less 1 for each time that the domain's boundary comes
 /// back to a node that the cell holds. There the domain itself is no manifold, and its neighbourhood no ball.
-template <int N>
-std::vector<Index> eulerOfCells(const CertificateInput<N> &in, const BlockComplex<N> &complex,
-                                EulerCount<N> &euler) {
+template <int N> std::vector<Index> eulerOfCells(const CertificateInput<N> &in, EulerCount<N> &euler) {
   std::vector<Index> wanted(at(in.dual.cellCount), 1);
-  for (const auto &[node, s] : complex.pinches) {
-    const Index piece = euler.pieceAt(s, euler.places(s).around[1U << in.mesh.localVertex(s, node)]);
-    --wanted[at(in.dual.pieces[at(piece)].cell)];
-  }
+  if constexpr (N == 3)
+    for (const auto &[node, s] : findPinches(in.mesh)) {
+      const Index piece = euler.pieceAt(s, euler.places(s).around[1U << in.mesh.localVertex(s, node)]);
+      --wanted[at(in.dual.pieces[at(piece)].cell)];
+    }
   return wanted;
 }
 
 } // namespace
 
-template <int N>
-void checkCells(const CertificateInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
+template <int N> void checkCells(const CertificateInput<N> &in, Certificate &certificate) {
   const auto describe = [&](const CellPiece<N> &piece) {
     std::string text = "part " + std::to_string(piece.part) + ", sides {";
     for (int k = 0; k < piece.sideCount(); ++k) text += (k ? ", " : "") + std::to_string(piece.sides[at(k)]);
@@ -187,7 +238,7 @@ void checkCells(const CertificateInput<N> &in, const BlockComplex<N> &complex, C
                        "the D-bar-cell of " + describe(in.dual.pieces[p]) +
                            " is not a ball: Euler characteristic " + std::to_string(euler.ofPiece[p]),
                        {{"cell", in.dual.pieces[p].cell}});
-  const std::vector<Index> wanted = eulerOfCells(in, complex, euler);
+  const std::vector<Index> wanted = eulerOfCells(in, euler);
   const std::vector<Index> found = euler.ofCells();
   for (std::size_t c = 0; c < found.size(); ++c)
     if (found[c] != wanted[c])
@@ -197,7 +248,7 @@ void checkCells(const CertificateInput<N> &in, const BlockComplex<N> &complex, C
                        {{"cell", static_cast<std::int64_t>(c)}});
 }
 
-template void checkCells(const CertificateInput<2> &, const BlockComplex<2> &, Certificate &);
-template void checkCells(const CertificateInput<3> &, const BlockComplex<3> &, Certificate &);
+template void checkCells(const CertificateInput<2> &, Certificate &);
+template void checkCells(const CertificateInput<3> &, Certificate &);
 
 } // namespace dualblock

@@ -1,5 +1,6 @@
 #include "certificate/certificate.h"
 
+#include "base/parallel.h"
 #include "certificate/checks.h"
 
 namespace dualblock {
@@ -15,36 +16,66 @@ void Certificate::fail(Check check, std::string message, std::vector<EntityRef> 
 
 namespace {
 
-template <int N>
-void checkBlocks(const BlockInput<N> &in, const BlockComplex<N> &complex, Certificate &certificate) {
-  checkTopology(in, complex, certificate);
-  checkGeometry(in, certificate);
-  checkFeatures(in, complex, certificate);
+constexpr std::size_t kWorthThreads = 1000; // blocks; fewer are checked before a thread has begun
+
+/// By Check, each a certificate of its own, for they may be made at the same time; the first one holds what
+/// the dual's two checks found.
+using Findings = std::array<Certificate, 5>;
+
+Certificate &of(Findings &findings, Check check) { return findings[static_cast<std::size_t>(check)]; }
+
+Certificate joined(Findings &findings) {
+  Certificate all = of(findings, Check::geometry); // with what it measured
+  all.features = std::move(of(findings, Check::features).features);
+  all.failures.clear();
+  for (const Certificate &one : findings) {
+    for (std::size_t k = 0; k < all.passed.size(); ++k) all.passed[k] = all.passed[k] && one.passed[k];
+    all.valid = all.valid && one.valid;
+    all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
+  }
+  return all;
+}
+
+/// Checks 3 to 5.
+template <int N> void checkBlocks(const BlockInput<N> &in, Findings &findings) {
+  const bool isWorthIt = in.blocks.blocks.size() >= kWorthThreads;
+  Aside geometry(isWorthIt, [&] { checkGeometry(in, of(findings, Check::geometry)); });
+  const BlockComplex<N> complex = buildBlockComplex(in);
+  Aside topology(isWorthIt, [&] { checkTopology(in, complex, of(findings, Check::topology)); });
+  checkFeatures(in, complex, of(findings, Check::features));
+  topology.finish();
+  geometry.finish();
 }
 
 } // namespace
 
-template <int N> Certificate certify(const CertificateInput<N> &in) {
+template <int N> Certificate certifyDual(const CertificateInput<N> &in) {
   Certificate certificate;
   checkMatching(in, certificate);
-  const BlockMesh<N> blocks = layeredBlocks(in.mesh, in.parts, in.surfaces, in.primal);
-  const BlockInput<N> input{in.domain, in.features, in.featureNodes, in.mesh, blocks, in.facetDeviation};
-  const BlockComplex<N> complex = buildBlockComplex(input);
-  checkCells(in, complex, certificate);
-  for (const std::string &fault : in.primal.faults) certificate.fail(Check::topology, fault);
-  checkBlocks(input, complex, certificate);
+  checkCells(in, certificate);
   return certificate;
+}
+
+template <int N> Certificate certify(const CertificateInput<N> &in, const Certificate &ofDual) {
+  const BlockMesh<N> blocks = layeredBlocks(in.mesh, in.parts, in.surfaces, in.primal);
+  Findings findings{ofDual};
+  for (const std::string &fault : in.primal.faults)
+    of(findings, Check::topology).fail(Check::topology, fault);
+  checkBlocks<N>({in.domain, in.features, in.featureNodes, in.mesh, blocks, in.facetDeviation}, findings);
+  return joined(findings);
 }
 
 template <int N> Certificate certifyBlocks(const BlockInput<N> &input) {
-  Certificate certificate;
-  checkBlocks(input, buildBlockComplex(input), certificate);
-  return certificate;
+  Findings findings;
+  checkBlocks(input, findings);
+  return joined(findings);
 }
 
-template Certificate certify(const CertificateInput<2> &);
-template Certificate certify(const CertificateInput<3> &);
-template Certificate certifyBlocks(const BlockInput<2> &);
-template Certificate certifyBlocks(const BlockInput<3> &);
+#define INSTANTIATE(N)                                                                                       \
+  template Certificate certifyDual(const CertificateInput<N> &);                                             \
+  template Certificate certify(const CertificateInput<N> &, const Certificate &);                            \
+  template Certificate certifyBlocks(const BlockInput<N> &);
+INSTANTIATE(2)
+INSTANTIATE(3)
 
 } // namespace dualblock

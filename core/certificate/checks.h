@@ -16,18 +16,12 @@ template <int N> struct BlockFace {
   Index tag; // of the domain's facet that the face lies on, as seen from the block, or kNone
 };
 
-/// A node that the domain's boundary comes back to, once per further time, with a simplex that has it.
-struct Pinch {
-  Index node, simplex;
-};
-
 /// The blocks' faces, sorted by key, so that the faces of two blocks stand together.
 template <int N> struct BlockComplex {
   std::vector<BlockFace<N>> faces;
   std::vector<Index> boundary; // of `faces`: those with one block only
   std::vector<Index> behind;   // per block and local number: the other block's, 2N times its number plus the
                                // local one there, or kNone
-  std::vector<Pinch> pinches;
 
   bool areTwins(std::size_t f, std::size_t g) const {
     for (std::size_t k = 0; k < faces[f].key.size(); ++k) // no call of memcmp for so little
@@ -68,8 +62,7 @@ template <int N> bool isBent(const BlockInput<N> &input) {
 template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &input);
 
 template <int N> void checkMatching(const CertificateInput<N> &input, Certificate &certificate);
-template <int N>
-void checkCells(const CertificateInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
+template <int N> void checkCells(const CertificateInput<N> &input, Certificate &certificate);
 template <int N>
 void checkTopology(const BlockInput<N> &input, const BlockComplex<N> &complex, Certificate &certificate);
 template <int N> void checkGeometry(const BlockInput<N> &input, Certificate &certificate);

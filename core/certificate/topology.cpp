@@ -132,55 +132,10 @@ template <int N> Shape shapeOfBlocks(const BlockInput<N> &in, const BlockComplex
   return shape;
 }
 
-/// In 2D there are none: unpinch has doubled them.
-std::vector<Pinch> findPinches(const ReferenceMesh<3> &mesh) {
-  // Corners of outer faces: two at one node go together where their faces share an edge there.
-  struct Corner {
-    Pinch pinch;
-    std::array<Index, 2> others; // nodes of the face
-  };
-  std::vector<Corner> corners;
-  for (Index s = 0; s < mesh.simplexCount(); ++s)
-    for (int i = 0; i < 4; ++i) {
-      if (mesh.neighbors[at(s)][i] != kNone) continue;
-      for (int v = 0; v < 4; ++v) {
-        if (v == i) continue;
-        Corner corner{{mesh.simplices[at(s)][v], s}, {}};
-        for (int w = 0, m = 0; w < 4; ++w)
-          if (w != i && w != v) corner.others[at(m++)] = mesh.simplices[at(s)][w];
-        corners.push_back(corner);
-      }
-    }
-  std::vector<Index> byNode(corners.size());
-  std::iota(byNode.begin(), byNode.end(), 0);
-  sortByIndex(
-      byNode, mesh.nodes.size(), [&](Index c) { return corners[at(c)].pinch.node; },
-      [](Index, Index) { return false; });
-  DisjointSets sets(corners.size());
-  std::vector<Index> last(mesh.nodes.size(), kNone); // corner, at the same node, whose face has this one, too
-  for (const Index c : byNode)
-    for (const Index other : corners[at(c)].others) {
-      Index &before = last[at(other)];
-      if (before != kNone && corners[at(before)].pinch.node == corners[at(c)].pinch.node)
-        sets.unite(before, c);
-      before = c;
-    }
-  std::vector<bool> seen(mesh.nodes.size(), false);
-  std::vector<Pinch> pinches;
-  for (Index c = 0; c < toIndex(corners.size()); ++c) {
-    if (sets.find(c) != c) continue;
-    const Pinch &pinch = corners[at(c)].pinch;
-    if (seen[at(pinch.node)]) pinches.push_back(pinch);
-    seen[at(pinch.node)] = true;
-  }
-  return pinches;
-}
-
 } // namespace
 
 template <int N> BlockComplex<N> buildBlockComplex(const BlockInput<N> &in) {
   BlockComplex<N> complex;
-  if constexpr (N == 3) complex.pinches = findPinches(in.mesh);
   // Each face goes straight to its place among those with the same lowest node.
   const auto &blocks = in.blocks.blocks;
   const auto cycleOf = [&](std::size_t b, int f) {

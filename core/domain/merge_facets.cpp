@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "base/disjoint_sets.h"
@@ -18,8 +19,8 @@ struct GroupPlane {
   Vec<3> moment{0.0}; // sum of corners
   double corners = 0;
 
-  void add(const std::vector<Vec<3>> &vertices, const Facet &facet) {
-    area += areaVector(vertices, facet);
+  void add(const std::vector<Vec<3>> &vertices, const Facet &facet, const Vec<3> &areaOfFacet) {
+    area += areaOfFacet;
     for (const auto &loop : facet.loops)
       for (const Index v : loop) {
         moment += vertices[at(v)];
@@ -111,22 +112,40 @@ std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
   return uses;
 }
 
-MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
-                           double tolerance) {
-  const std::vector<EdgeUse> uses = edgeUses(facets);
-  std::vector<std::vector<Index>> neighbours(facets.size());
-  for (std::size_t u = 0; u + 1 < uses.size(); ++u) {
-    const bool pair = uses[u].nodes == uses[u + 1].nodes && (u == 0 || uses[u - 1].nodes != uses[u].nodes) &&
-                      (u + 2 == uses.size() || uses[u + 2].nodes != uses[u].nodes);
-    if (!pair || uses[u].forward == uses[u + 1].forward) continue;
-    if (facets[at(uses[u].facet)].isInterface != facets[at(uses[u + 1].facet)].isInterface) continue;
-    neighbours[at(uses[u].facet)].push_back(uses[u + 1].facet);
-    neighbours[at(uses[u + 1].facet)].push_back(uses[u].facet);
-  }
+Lists<FacetNeighbour> facetNeighbours(const std::vector<EdgeUse> &uses, std::size_t facets) {
+  const auto forTwins = [&](auto visit) {
+    for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+      while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
+      if (end - begin == 2) visit(uses[begin], uses[begin + 1]);
+    }
+  };
+  Lists<FacetNeighbour> neighbours;
+  neighbours.offsets.assign(facets + 1, 0);
+  forTwins([&](const EdgeUse &a, const EdgeUse &b) {
+    ++neighbours.offsets[at(a.facet) + 1];
+    ++neighbours.offsets[at(b.facet) + 1];
+  });
+  std::partial_sum(neighbours.offsets.begin(), neighbours.offsets.end(), neighbours.offsets.begin());
+  neighbours.items.resize(at(neighbours.offsets.back()));
+  std::vector<Index> place(neighbours.offsets.begin(), neighbours.offsets.end() - 1);
+  forTwins([&](const EdgeUse &a, const EdgeUse &b) {
+    const bool agrees = a.forward != b.forward;
+    neighbours.items[at(place[at(a.facet)]++)] = {b.facet, agrees};
+    neighbours.items[at(place[at(b.facet)]++)] = {a.facet, agrees};
+  });
+  return neighbours;
+}
+
+MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, std::vector<Facet> facets, double tolerance) {
+  const Lists<FacetNeighbour> neighbours = facetNeighbours(edgeUses(facets), facets.size());
+  std::vector<Vec<3>> area(facets.size());
   std::vector<double> size(facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f) size[f] = glm::length(areaVector(vertices, facets[f]));
   std::vector<Index> order(facets.size());
-  for (std::size_t f = 0; f < order.size(); ++f) order[f] = toIndex(f);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    area[f] = areaVector(vertices, facets[f]);
+    size[f] = glm::length(area[f]);
+    order[f] = toIndex(f);
+  }
   sortItems(order, [&](Index a, Index b) { return size[at(a)] > size[at(b)]; });
 
   // Grow groups from the largest facets; their normals are the best known.
@@ -138,17 +157,19 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
     std::vector<Index> group{seed};
     groupOf[at(seed)] = g;
     GroupPlane plane;
-    plane.add(vertices, facets[at(seed)]);
+    plane.add(vertices, facets[at(seed)], area[at(seed)]);
+    Plane<3> p = plane.plane();
     for (std::size_t head = 0; head < group.size(); ++head)
-      for (const Index n : neighbours[at(group[head])]) {
-        if (groupOf[at(n)] != kNone) continue;
-        const Plane<3> p = plane.plane();
-        const Vec<3> area = areaVector(vertices, facets[at(n)]);
-        const bool alike = glm::dot(area, p.normal) > 0.9 * glm::length(area);
-        if (!alike || deviation<3>(vertices, facets[at(n)], p) > tolerance) continue;
-        groupOf[at(n)] = g;
-        group.push_back(n);
-        plane.add(vertices, facets[at(n)]);
+      for (auto n = neighbours.begin(group[head]); n != neighbours.end(group[head]); ++n) {
+        const std::size_t f = at(n->facet);
+        if (groupOf[f] != kNone || !n->agrees) continue;
+        if (facets[f].isInterface != facets[at(group[head])].isInterface) continue;
+        const bool alike = glm::dot(area[f], p.normal) > 0.9 * size[f];
+        if (!alike || deviation<3>(vertices, facets[f], p) > tolerance) continue;
+        groupOf[f] = g;
+        group.push_back(n->facet);
+        plane.add(vertices, facets[f], area[f]);
+        p = plane.plane();
       }
     groups.push_back(std::move(group));
   }
@@ -159,16 +180,19 @@ MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vecto
   for (auto &group : groups) sortItems(group);
   sortItems(groups);
   for (const auto &group : groups) {
-    GroupPlane plane;
-    for (const Index f : group) plane.add(vertices, facets[at(f)]);
-    bool flat = group.size() > 1;
-    for (const Index f : group) flat &= deviation<3>(vertices, facets[at(f)], plane.plane()) <= 2 * tolerance;
     std::vector<std::vector<Index>> loops;
-    if (flat) loops = boundaryLoops(vertices, facets, group, plane.plane().normal);
-    if (!flat || loops.empty()) {
+    if (group.size() > 1) {
+      GroupPlane plane;
+      for (const Index f : group) plane.add(vertices, facets[at(f)], area[at(f)]);
+      const Plane<3> p = plane.plane();
+      bool flat = true;
+      for (const Index f : group) flat &= deviation<3>(vertices, facets[at(f)], p) <= 2 * tolerance;
+      if (flat) loops = boundaryLoops(vertices, facets, group, p.normal);
+    }
+    if (loops.empty()) {
       for (const Index f : group) {
         merged.facetOfGiven[at(f)] = toIndex(merged.facets.size());
-        merged.facets.push_back(facets[at(f)]);
+        merged.facets.push_back(std::move(facets[at(f)]));
       }
       continue;
     }

@@ -16,6 +16,15 @@ struct EdgeUse {
 /// Every use of every edge, sorted by nodes, then facet.
 std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets);
 
+/// A facet's neighbour over an edge that no third facet has.
+struct FacetNeighbour {
+  Index facet;
+  bool agrees; // they run through the edge in opposite directions
+};
+
+/// Per facet, its neighbours. uses: of the facets' edges, as from edgeUses.
+Lists<FacetNeighbour> facetNeighbours(const std::vector<EdgeUse> &uses, std::size_t facets);
+
 struct MergedFacets {
   std::vector<Facet> facets;
   std::vector<Index> facetOfGiven;
@@ -23,8 +32,7 @@ struct MergedFacets {
 
 /// Merges facets that share an edge used by exactly two facets and lie in one plane within `tolerance`
 /// (absolute). Facets on both sides of such an edge must run through it in opposite directions.
-MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
-                           double tolerance);
+MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, std::vector<Facet> facets, double tolerance);
 
 /// Removes vertices where exactly two edges meet, straight within `tolerance` (absolute).
 void dropStraightVertices(const std::vector<Vec<3>> &vertices, std::vector<Facet> &facets, double tolerance);

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "base/sort.h"
 #include "domain/merge_facets.h"
@@ -14,19 +12,20 @@ namespace {
 /// Facets that the input itself calls planar may be off by this many tolerances: files often hold six digits.
 constexpr double kGivenSlack = 10;
 
-/// given: per facet, its number in the input.
-std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Index> &given, double tolerance) {
+/// given: per facet, its number in the input; repeated: whether one before it has the same corners.
+std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Index> &given,
+                                 const std::vector<bool> &repeated, double tolerance) {
   if (domain.facets.size() < 4)
     return Error{ErrorCode::tooFewFacets,
                  "The domain has " + std::to_string(domain.facets.size()) +
                      " facets; a solid needs at least 4.",
                  {}};
-  std::set<std::vector<Index>> seen;
+  std::vector<Index> corners;
   for (std::size_t f = 0; f < domain.facets.size(); ++f) {
     const auto error = [&](ErrorCode code, const std::string &what) {
       return Error{code, "Facet " + std::to_string(given[f]) + what, {{"facet", given[f]}}};
     };
-    std::vector<Index> corners;
+    corners.clear();
     for (const auto &loop : domain.facets[f].loops) {
       if (loop.size() < 3)
         return error(ErrorCode::degenerateFacet, " has a loop of fewer than three vertices.");
@@ -45,7 +44,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
     if (!(glm::length(area) > tolerance * perimeter))
       return error(ErrorCode::degenerateFacet,
                    " has no area: remove it, and join the facets on both sides of it.");
-    if (!seen.insert(std::move(corners)).second)
+    if (repeated[f])
       return error(ErrorCode::duplicateFacet,
                    " has the same corners as an earlier facet: remove one of them.");
     const double off =
@@ -86,49 +85,110 @@ void mergeEqualVertices(PreparedDomain<3> &prepared) {
       for (Index &v : loop) v = first[at(v)];
 }
 
+/// Per facet, the last one before it that has the same corners in any order, or kNone.
+std::vector<Index> earlierTwins(const std::vector<Facet> &facets) {
+  Lists<Index> corners; // of each facet, sorted
+  std::vector<Index> order;
+  Index most = 0;
+  for (const Facet &facet : facets) {
+    for (const auto &loop : facet.loops) corners.items.insert(corners.items.end(), loop.begin(), loop.end());
+    Index *const begin = corners.items.data() + corners.offsets.back();
+    Index *const end = corners.items.data() + corners.items.size();
+    sortRange(begin, end);
+    if (begin != end) most = std::max(most, *begin);
+    corners.closeList();
+    order.push_back(toIndex(order.size()));
+  }
+  sortByIndex(
+      order, at(most) + 1, [&](Index f) { return corners.size(f) > 0 ? *corners.begin(f) : 0; },
+      [&](Index a, Index b) {
+        return std::lexicographical_compare(corners.begin(a), corners.end(a), corners.begin(b),
+                                            corners.end(b));
+      });
+  std::vector<Index> earlier(facets.size(), kNone);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Index a = order[k - 1];
+    const Index b = order[k];
+    if (std::equal(corners.begin(a), corners.end(a), corners.begin(b), corners.end(b))) earlier[at(b)] = a;
+  }
+  return earlier;
+}
+
+/// 1 if the loops are the same but for where they begin, -1 if one is the other turned over, 0 else.
+int sameLoop(const std::vector<Index> &a, const std::vector<Index> &b) {
+  const std::size_t n = a.size();
+  if (n == 0 || b.size() != n) return 0;
+  const std::size_t start =
+      static_cast<std::size_t>(std::find(a.begin(), a.end(), b[0]) - a.begin()); // n where there is none
+  const auto runs = [&](std::size_t step) {
+    for (std::size_t k = 0, m = start; k < n; ++k, m = (m + step) % n)
+      if (a[m % n] != b[k]) return false;
+    return true;
+  };
+  return runs(1) ? 1 : runs(n - 1) ? -1 : 0;
+}
+
+struct KeptFacets {
+  std::vector<Index> number;  // per facet of the input: its new number, or kNone
+  std::vector<bool> repeated; // per facet kept: whether one before it has the same corners
+};
+
 /// Drops what equal points leave no doubt about: triangles that lost a corner when equal vertices were
 /// merged, and the second of two facets that are the same but turned over, which is how solids that share a
-/// facet are given. Returns, per facet of the input, its new number or kNone.
-std::vector<Index> dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<3> &given) {
-  const auto cycleOf = [](std::vector<Index> loop) {
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    return loop;
+/// facet are given.
+KeptFacets dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<3> &given) {
+  std::vector<Facet> &facets = prepared.domain.facets;
+  const std::vector<Index> earlier = earlierTwins(facets);
+  const auto distinct = [](const std::vector<Index> &triangle) {
+    const bool first = triangle[0] == triangle[1];
+    return first && triangle[1] == triangle[2]                                 ? 1
+           : first || triangle[1] == triangle[2] || triangle[2] == triangle[0] ? 2
+                                                                               : 3;
   };
-  std::vector<Index> number(given.facets.size(), kNone);
-  std::map<std::vector<Index>, Index> known; // loops, as a cycle from the lowest corner
+  // Of the facets with one's corners before it: the last one that was kept, and the last one whose loop none
+  // before has.
+  std::vector<std::array<Index, 2>> before(facets.size(), {kNone, kNone});
+  std::vector<bool> isNew(facets.size(), false);
+  KeptFacets result{std::vector<Index>(facets.size(), kNone), {}};
   std::vector<Facet> kept;
   Index collapsed = 0;
   Index shared = 0;
-  for (std::size_t f = 0; f < number.size(); ++f) {
-    const Facet &facet = prepared.domain.facets[f];
-    if (facet.loops.size() == 1) {
-      const std::vector<Index> &loop = facet.loops[0];
-      const std::vector<Index> &old = given.facets[f].loops[0];
-      if (loop.size() == 3 &&
-          std::set(loop.begin(), loop.end()).size() < std::set(old.begin(), old.end()).size()) {
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (const Index e = earlier[f]; e != kNone)
+      before[f] = {result.number[at(e)] == kNone ? before[at(e)][0] : e, isNew[at(e)] ? e : before[at(e)][1]};
+    if (facets[f].loops.size() == 1) {
+      const std::vector<Index> &loop = facets[f].loops[0];
+      if (loop.size() == 3 && distinct(loop) < distinct(given.facets[f].loops[0])) {
         ++collapsed;
         continue;
       }
-      const auto back = loop.empty() ? known.end() : known.find(cycleOf({loop.rbegin(), loop.rend()}));
-      if (back != known.end() && !kept[at(back->second)].isInterface) {
-        kept[at(back->second)].isInterface = true;
-        number[f] = back->second;
+      isNew[f] = true;
+      Index turned = kNone;
+      for (Index e = before[f][1]; e != kNone; e = before[at(e)][1]) {
+        const int sense = sameLoop(kept[at(result.number[at(e)])].loops[0], loop);
+        if (sense > 0) isNew[f] = false;
+        if (sense < 0) turned = result.number[at(e)];
+      }
+      if (turned != kNone && !kept[at(turned)].isInterface) {
+        kept[at(turned)].isInterface = true;
+        result.number[f] = turned;
+        isNew[f] = false;
         ++shared;
         continue;
       }
-      if (!loop.empty()) known.emplace(cycleOf(loop), toIndex(kept.size()));
     }
-    number[f] = toIndex(kept.size());
-    kept.push_back(facet);
+    result.number[f] = toIndex(kept.size());
+    result.repeated.push_back(before[f][0] != kNone);
+    kept.push_back(std::move(facets[f]));
   }
-  prepared.domain.facets = std::move(kept);
+  facets = std::move(kept);
   if (collapsed > 0)
     prepared.repairs.push_back(std::to_string(collapsed) +
                                " triangles with two corners at one point were dropped");
   if (shared > 0)
     prepared.repairs.push_back(std::to_string(shared) +
                                " facets that two solids share, given by both, were taken once");
-  return number;
+  return result;
 }
 
 /// Puts each facet's largest loop first and turns the others against it, as holes run.
@@ -154,9 +214,8 @@ void orientHoleLoops(PreparedDomain<3> &prepared) {
 
 /// Every edge must belong to at least two facets; and where to two only, solids share both of them or none.
 /// kept: per facet of the input, its number here; given: the other way round.
-std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<Index> &kept,
-                                 const std::vector<Index> &given) {
-  const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
+std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::vector<EdgeUse> &uses,
+                                 const std::vector<Index> &kept, const std::vector<Index> &given) {
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
     if (end - begin == 1)
@@ -183,17 +242,9 @@ std::optional<Error> checkClosed(const PreparedDomain<3> &prepared, const std::v
 
 /// Makes neighbours run through their common edge in opposite directions, shell by shell, turning as few
 /// facets as possible. Edges of more than two facets bind nobody.
-void orientShells(PreparedDomain<3> &prepared) {
+void orientShells(PreparedDomain<3> &prepared, const std::vector<EdgeUse> &uses) {
   std::vector<Facet> &facets = prepared.domain.facets;
-  const std::vector<EdgeUse> uses = edgeUses(facets);
-  std::vector<std::vector<std::pair<Index, bool>>> neighbours(facets.size()); // facet, agrees
-  for (std::size_t u = 0, end = 0; u < uses.size(); u = end) {
-    while (end < uses.size() && uses[end].nodes == uses[u].nodes) ++end;
-    if (end - u != 2) continue;
-    const bool agrees = uses[u].forward != uses[u + 1].forward;
-    neighbours[at(uses[u].facet)].emplace_back(uses[u + 1].facet, agrees);
-    neighbours[at(uses[u + 1].facet)].emplace_back(uses[u].facet, agrees);
-  }
+  const Lists<FacetNeighbour> neighbours = facetNeighbours(uses, facets.size());
   std::vector<int> turn(facets.size(), -1);
   Index turned = 0;
   for (std::size_t seed = 0; seed < facets.size(); ++seed) {
@@ -202,11 +253,12 @@ void orientShells(PreparedDomain<3> &prepared) {
     turn[seed] = 0;
     std::size_t flips = 0;
     for (std::size_t head = 0; head < shell.size(); ++head)
-      for (const auto &[n, agrees] : neighbours[at(shell[head])]) {
-        if (turn[at(n)] >= 0) continue;
-        turn[at(n)] = agrees ? turn[at(shell[head])] : 1 - turn[at(shell[head])];
-        flips += turn[at(n)] == 1 ? 1 : 0;
-        shell.push_back(n);
+      for (auto n = neighbours.begin(shell[head]); n != neighbours.end(shell[head]); ++n) {
+        int &turns = turn[at(n->facet)];
+        if (turns >= 0) continue;
+        turns = n->agrees ? turn[at(shell[head])] : 1 - turn[at(shell[head])];
+        flips += turns == 1 ? 1 : 0;
+        shell.push_back(n->facet);
       }
     const bool invert = 2 * flips > shell.size();
     for (const Index f : shell) {
@@ -226,15 +278,16 @@ Result<PreparedDomain<3>> prepareDomain(const Domain<3> &given, double tolerance
   PreparedDomain<3> prepared;
   prepared.domain = given;
   mergeEqualVertices(prepared);
-  const std::vector<Index> kept = dropRepeatedFacets(prepared, given);
+  const auto [kept, repeated] = dropRepeatedFacets(prepared, given);
   std::vector<Index> givenFacet;
   for (std::size_t f = 0; f < kept.size(); ++f)
     if (kept[f] == toIndex(givenFacet.size())) givenFacet.push_back(toIndex(f));
   orientHoleLoops(prepared);
-  if (auto error = checkFacets(prepared.domain, givenFacet, allowed)) return *error;
-  if (auto error = checkClosed(prepared, kept, givenFacet)) return *error;
-  orientShells(prepared);
-  MergedFacets merged = mergeCoplanar(given.vertices, prepared.domain.facets, allowed);
+  if (auto error = checkFacets(prepared.domain, givenFacet, repeated, allowed)) return *error;
+  const std::vector<EdgeUse> uses = edgeUses(prepared.domain.facets);
+  if (auto error = checkClosed(prepared, uses, kept, givenFacet)) return *error;
+  orientShells(prepared, uses);
+  MergedFacets merged = mergeCoplanar(given.vertices, std::move(prepared.domain.facets), allowed);
   dropStraightVertices(given.vertices, merged.facets, allowed);
   prepared.domain.facets = std::move(merged.facets);
   for (const Index f : kept) prepared.facetOfGiven.push_back(f == kNone ? kNone : merged.facetOfGiven[at(f)]);

@@ -76,18 +76,9 @@ template <int N> double scaledJacobian(const std::array<Vec<N>, 1 << N> &corners
   return worst;
 }
 
-template <int N> double signedMeasure(const std::array<Vec<N>, 1 << N> &corners) {
-  // A polynomial in Bernstein form integrates to the mean of its coefficients.
-  double sum = 0;
-  for (const double c : jacobianCoefficients<N>(corners)) sum += c;
-  return sum / kJacobianCoefficients<N>;
-}
-
 template std::array<double, 4> jacobianCoefficients<2>(const std::array<Vec<2>, 4> &);
 template std::array<double, 27> jacobianCoefficients<3>(const std::array<Vec<3>, 8> &);
 template double scaledJacobian<2>(const std::array<Vec<2>, 4> &);
 template double scaledJacobian<3>(const std::array<Vec<3>, 8> &);
-template double signedMeasure<2>(const std::array<Vec<2>, 4> &);
-template double signedMeasure<3>(const std::array<Vec<3>, 8> &);
 
 } // namespace dualblock

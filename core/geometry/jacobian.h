@@ -20,9 +20,6 @@ std::array<double, kJacobianCoefficients<N>> jacobianCoefficients(const std::arr
 /// parallelepiped, 0 or less for a block inverted at a corner.
 template <int N> double scaledJacobian(const std::array<Vec<N>, 1 << N> &corners);
 
-/// The exact integral of the determinant: the block's signed area or volume.
-template <int N> double signedMeasure(const std::array<Vec<N>, 1 << N> &corners);
-
 /// The corners of a block in the order of its nodes.
 template <int N>
 std::array<Vec<N>, 1 << N> cornersOf(const std::array<Index, 1 << N> &nodes,

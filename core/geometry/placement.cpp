@@ -113,17 +113,21 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
   primal.positions.clear();
   for (const Index piece : primal.nodePiece) primal.positions.push_back(placer.place(dual.pieces[at(piece)]));
   if constexpr (N == 3) followBentSides(mesh, parts, dual, primal);
-  for (Block<N> &block : primal.blocks) {
-    if (signedMeasure<N>(cornersOf<N>(block.nodes, primal.positions)) >= 0) continue;
-    std::swap(block.sides[0], block.sides[1]); // mirrored: exchange two axes
-    if constexpr (N == 2) {
-      std::swap(block.nodes[1], block.nodes[3]);
-    } else {
-      std::swap(block.nodes[1], block.nodes[3]);
-      std::swap(block.nodes[5], block.nodes[7]);
+  std::vector<Index> bad;
+  for (std::size_t b = 0; b < primal.blocks.size(); ++b) {
+    Block<N> &block = primal.blocks[b];
+    const auto coefficients = [&] {
+      return jacobianCoefficients<N>(cornersOf<N>(block.nodes, primal.positions));
+    };
+    auto c = coefficients();
+    if (std::accumulate(c.begin(), c.end(), 0.0) < 0) { // mirrored: exchange two axes
+      std::swap(block.sides[0], block.sides[1]);
+      for (std::size_t k = 1; k < block.nodes.size(); k += 4) std::swap(block.nodes[k], block.nodes[k + 2]);
+      c = coefficients();
     }
+    if (*std::min_element(c.begin(), c.end()) <= 0) bad.push_back(toIndex(b));
   }
-  untangle(mesh, parts, dual, primal);
+  untangle(mesh, parts, dual, std::move(bad), primal);
 }
 
 template Vec<2> chainMidpoint<2>(const std::vector<Vec<2>> &, std::span<const std::array<Index, 2>>);

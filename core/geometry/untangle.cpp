@@ -154,15 +154,14 @@ private:
 
 template <int N>
 Index untangle(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualCells<N> &dual,
-               Primal<N> &primal) {
-  std::vector<Index> bad;
-  for (std::size_t b = 0; b < primal.blocks.size(); ++b)
-    if (smallest<N>(primal.blocks[b], primal.positions) <= 0) bad.push_back(toIndex(b));
+               std::vector<Index> bad, Primal<N> &primal) {
   if (bad.empty()) return 0;
   return Untangler<N>(mesh, parts, dual, primal).run(std::move(bad));
 }
 
-template Index untangle(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &, Primal<2> &);
-template Index untangle(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &, Primal<3> &);
+template Index untangle(const ReferenceMesh<2> &, const Parts<2> &, const DualCells<2> &, std::vector<Index>,
+                        Primal<2> &);
+template Index untangle(const ReferenceMesh<3> &, const Parts<3> &, const DualCells<3> &, std::vector<Index>,
+                        Primal<3> &);
 
 } // namespace dualblock

@@ -13,7 +13,7 @@
 
 // core/toolchain/tetgen_unit.cpp
 void startTetgen(long long points);
-void fillWithTetgen(double maxVolume, double epsilon, tetgenio *in, tetgenio *out);
+void fillWithTetgen(double maxVolume, double epsilon, bool onGrid, tetgenio *in, tetgenio *out);
 
 namespace dualblock {
 namespace {
@@ -222,7 +222,7 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
     try {
       fillInput(in, points, facets);
       startTetgen(static_cast<long long>(points.size()));
-      fillWithTetgen(options.maxVolume, attempt.epsilon, &in, &out);
+      fillWithTetgen(options.maxVolume, attempt.epsilon, options.onGrid, &in, &out);
     } catch (int code) {
       lastCode = code;
       if (code == 1) break;

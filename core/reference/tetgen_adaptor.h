@@ -23,6 +23,7 @@ struct Tetrahedra {
 struct TetgenOptions {
   double size;          // of the domain, for the remedies' scales
   double maxVolume = 0; // > 0: refine until every tetrahedron is at most this large
+  bool onGrid = true;   // decide by plain arithmetic where it is exact; off: TetGen as it is, to compare with
 };
 
 /// Fills what the facets enclose. TetGen 1.5 fails on about 2 % of valid domains whose facets are planar only

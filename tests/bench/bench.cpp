@@ -1,8 +1,8 @@
-// One measured run: dualblock-bench CASE EDGE MODE, where CASE is cube, scaffold or cells and EDGE the edge
-// length of the reference mesh, 0 for the coarsest. MODE "run" runs the pipeline without relaxation, "tetgen"
-// TetGen alone, so that its own peak memory is seen, "mesh" relaxes the blocks and refines them to a million
-// elements; each prints one line of JSON. "off" prints the domain, for other programs. tests/bench/bench.mjs
-// calls it.
+// One measured run: dualblock-bench CASE EDGE MODE, where CASE is cube, scaffold, voxels or cells and EDGE
+// the edge length of the reference mesh, 0 for the coarsest. MODE "run" runs the pipeline without relaxation,
+// "tetgen" TetGen alone, so that its own peak memory is seen, "mesh" relaxes the blocks and refines them to a
+// million elements; each prints one line of JSON. "off" prints the domain, for other programs.
+// tests/bench/bench.mjs calls it.
 #include <sys/resource.h>
 
 #include <chrono>
@@ -39,6 +39,7 @@ int measureTetgen(const Domain<3> &domain, double edge) {
   const auto prepared = prepareDomain(domain, 1e-6);
   if (!prepared.ok()) return 1;
   TetgenOptions options{domainSize(domain.vertices)};
+  options.onGrid = false; // TetGen as it is
   options.maxVolume = edge * edge * edge / (6 * std::numbers::sqrt2);
   const auto made = runTetgen(prepared.value().domain.vertices, prepared.value().domain.facets, options);
   if (!made.ok()) return 1;
@@ -68,19 +69,24 @@ int measureRun(const Domain<3> &domain, double edge) {
   return 0;
 }
 
+/// `count` cells at random of a grid of `grid` cells each way.
+Domain<3> randomCells(int grid, int count, std::mt19937 &random) {
+  std::vector<bool> isFull(at(grid * grid * grid), false);
+  while (count > 0) {
+    const std::size_t cell = random() % isFull.size();
+    if (isFull[cell]) continue;
+    isFull[cell] = true;
+    --count;
+  }
+  return test::voxelDomain(
+      grid, [&](int i, int j, int k) { return isFull[at((i * grid + j) * grid + k)] ? 1 : 0; });
+}
+
 /// 1,300 cells of a grid of 14 by 14 by 14 planes at random distances: about 10,000 blocks of all sizes.
 Domain<3> cells() {
   constexpr int kGrid = 14;
   std::mt19937 random(1);
-  std::vector<bool> isFull(kGrid * kGrid * kGrid, false);
-  for (int count = 0; count < 1300;) {
-    const std::size_t cell = random() % isFull.size();
-    if (isFull[cell]) continue;
-    isFull[cell] = true;
-    ++count;
-  }
-  Domain<3> domain = test::voxelDomain(
-      kGrid, [&](int i, int j, int k) { return isFull[at((i * kGrid + j) * kGrid + k)] ? 1 : 0; });
+  Domain<3> domain = randomCells(kGrid, 1300, random);
   std::array<std::array<double, kGrid + 1>, 3> planes{};
   for (auto &along : planes)
     for (int k = 0; k < kGrid; ++k)
@@ -116,13 +122,16 @@ int measureMesh(const Domain<3> &domain, double edge) {
 
 int main(int argc, char **argv) {
   if (argc != 4) {
-    std::fprintf(stderr, "usage: dualblock-bench cube|scaffold|cells EDGE run|tetgen|mesh|off\n");
+    std::fprintf(stderr, "usage: dualblock-bench cube|scaffold|voxels|cells EDGE run|tetgen|mesh|off\n");
     return 2;
   }
-  const bool isCube = std::strcmp(argv[1], "cube") == 0;
-  const auto full = [](int, int, int) { return true; };
-  const bool isCells = std::strcmp(argv[1], "cells") == 0;
-  const Domain<3> domain = isCells ? cells() : isCube ? test::voxelDomain(1, full) : test::scaffold(20, 4);
+  const auto is = [&](const char *name) { return std::strcmp(argv[1], name) == 0; };
+  const auto full = [](int, int, int) { return 1; };
+  std::mt19937 random(1);
+  const Domain<3> domain = is("cells")    ? cells()
+                           : is("voxels") ? randomCells(20, 4000, random)
+                           : is("cube")   ? test::voxelDomain(1, full)
+                                          : test::scaffold(20, 4);
   const double edge = std::atof(argv[2]);
   if (std::strcmp(argv[3], "tetgen") == 0) return measureTetgen(domain, edge);
   if (std::strcmp(argv[3], "run") == 0) return measureRun(domain, edge);

@@ -1,8 +1,8 @@
 // Several regions, solids that share facets, and solids that touch along edges or at vertices only.
 #include <gtest/gtest.h>
 
-#include "geometry/jacobian.h"
 #include "support/round_solids.h"
+#include "support/signed_measure.h"
 
 namespace dualblock::test {
 namespace {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "certificate/checks.h"
+#include "support/signed_measure.h"
 
 namespace dualblock::test {
 namespace {

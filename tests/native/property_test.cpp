@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/jacobian.h"
 #include "support/random_domains.h"
+#include "support/signed_measure.h"
 
 namespace dualblock::test {
 namespace {
