@@ -16,7 +16,6 @@ namespace dualblock {
 namespace {
 
 constexpr Index kLongestHistory = 5000;
-constexpr Index kWorthThread = 1000; // D-bar-cells; fewer are checked before a thread has begun
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;     // then all components fall back
 constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal: fewer blocks win
@@ -87,7 +86,7 @@ template <int N>
                                       r.parts,         r.contributions,   r.dual,         r.surfaces,
                                       r.primal,        r.domain.deviation};
   Certificate ofDual;
-  Aside dual(r.dual.cellCount >= kWorthThread, [&] { ofDual = certifyDual(toCertify); });
+  Aside dual(at(r.dual.cellCount), [&] { ofDual = certifyDual(toCertify); });
   clock.start("primal", 0.7);
   r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
   clock.start("placement", 0.8);

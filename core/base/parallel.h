@@ -2,6 +2,7 @@
 // need headers that a page on any static host cannot send.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #ifndef __EMSCRIPTEN__
@@ -10,13 +11,16 @@
 
 namespace dualblock {
 
+/// Cells or blocks; a task on fewer is done before a thread has begun.
+inline constexpr std::size_t kWorthThread = 1000;
+
 /// A task that may run on a thread of its own from now on, and has run once finish() returns.
 template <typename Task> class Aside {
 public:
-  /// isWorthIt: whether the task takes longer than a thread to begin.
-  Aside([[maybe_unused]] bool isWorthIt, Task task) : task_(std::move(task)) {
+  /// size: of what the task goes through, in cells or blocks.
+  Aside([[maybe_unused]] std::size_t size, Task task) : task_(std::move(task)) {
 #ifndef __EMSCRIPTEN__
-    if (isWorthIt) running_ = std::async(std::launch::async, [this] { task_(); });
+    if (size >= kWorthThread) running_ = std::async(std::launch::async, [this] { task_(); });
 #endif
   }
   Aside(const Aside &) = delete; // the thread refers to it; its end waits for the thread's

@@ -42,4 +42,17 @@ template <typename T> struct Lists {
   void closeList() { offsets.push_back(toIndex(items.size())); }
 };
 
+/// `count` lists of the items that come in any order. `forItems(put)` calls put(list, item) for each; it runs
+/// twice, to count and to store, and must give the same both times.
+template <typename T, typename ForItems> Lists<T> collectLists(std::size_t count, const ForItems &forItems) {
+  Lists<T> lists;
+  lists.offsets.assign(count + 1, 0);
+  forItems([&](Index list, const T &) { ++lists.offsets[at(list) + 1]; });
+  for (std::size_t i = 0; i < count; ++i) lists.offsets[i + 1] += lists.offsets[i];
+  lists.items.resize(at(lists.offsets.back()));
+  std::vector<Index> place(lists.offsets.begin(), lists.offsets.end() - 1);
+  forItems([&](Index list, const T &item) { lists.items[at(place[at(list)]++)] = item; });
+  return lists;
+}
+
 } // namespace dualblock

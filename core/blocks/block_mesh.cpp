@@ -49,16 +49,10 @@ template <int N> Lists<Index> patchesOfNodes(const ReferenceMesh<N> &mesh, const
 }
 
 template <int N> Lists<Index> blocksOfNodes(const BlockMesh<N> &blocks) {
-  Lists<Index> lists;
-  lists.offsets.assign(blocks.positions.size() + 1, 0);
-  for (const auto &block : blocks.blocks)
-    for (const Index v : block) ++lists.offsets[at(v) + 1];
-  for (std::size_t v = 0; v < blocks.positions.size(); ++v) lists.offsets[v + 1] += lists.offsets[v];
-  lists.items.resize(at(lists.offsets.back()));
-  std::vector<Index> cursor(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-    for (const Index v : blocks.blocks[b]) lists.items[at(cursor[at(v)]++)] = toIndex(b);
-  return lists;
+  return collectLists<Index>(blocks.positions.size(), [&](auto put) {
+    for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+      for (const Index v : blocks.blocks[b]) put(v, toIndex(b));
+  });
 }
 
 #define DUALBLOCK_DEFINE(N)                                                                                  \

@@ -3,7 +3,6 @@
 // reference mesh in convex pieces; over the inner ones, with alternating signs, these add up to its Euler
 // characteristic (the reduced one of a simplex's link is its weight, 0 for simplices on the boundary).
 #include <memory>
-
 #include <numeric>
 
 #include "base/disjoint_sets.h"
@@ -99,15 +98,10 @@ template <int N> void countSimplicesAndFaces(const CertificateInput<N> &in, Eule
 template <int N> void countNodesAndEdges(const CertificateInput<N> &in, EulerCount<N> &euler) {
   constexpr int kNodeWeight = N == 2 ? 1 : -1;
   const Index nodes = in.mesh.nodeCount();
-  Lists<Index> around; // simplices around each node
-  around.offsets.assign(at(nodes) + 1, 0);
-  for (const auto &s : in.mesh.simplices)
-    for (const Index v : s) ++around.offsets[at(v) + 1];
-  for (std::size_t v = 0; v < at(nodes); ++v) around.offsets[v + 1] += around.offsets[v];
-  around.items.resize(at(around.offsets.back()));
-  std::vector<Index> cursor(around.offsets.begin(), around.offsets.end() - 1);
-  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
-    for (const Index v : in.mesh.simplices[at(s)]) around.items[at(cursor[at(v)]++)] = s;
+  const Lists<Index> around = collectLists<Index>(at(nodes), [&](auto put) { // simplices around each node
+    for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+      for (const Index v : in.mesh.simplices[at(s)]) put(v, s);
+  });
 
   struct Edge { // from the node at hand to a higher one
     Index to, simplex;

@@ -16,8 +16,6 @@ void Certificate::fail(Check check, std::string message, std::vector<EntityRef> 
 
 namespace {
 
-constexpr std::size_t kWorthThreads = 1000; // blocks; fewer are checked before a thread has begun
-
 /// By Check, each a certificate of its own, for they may be made at the same time; the first one holds what
 /// the dual's two checks found.
 using Findings = std::array<Certificate, 5>;
@@ -38,10 +36,10 @@ Certificate joined(Findings &findings) {
 
 /// Checks 3 to 5.
 template <int N> void checkBlocks(const BlockInput<N> &in, Findings &findings) {
-  const bool isWorthIt = in.blocks.blocks.size() >= kWorthThreads;
-  Aside geometry(isWorthIt, [&] { checkGeometry(in, of(findings, Check::geometry)); });
+  const std::size_t size = in.blocks.blocks.size();
+  Aside geometry(size, [&] { checkGeometry(in, of(findings, Check::geometry)); });
   const BlockComplex<N> complex = buildBlockComplex(in);
-  Aside topology(isWorthIt, [&] { checkTopology(in, complex, of(findings, Check::topology)); });
+  Aside topology(size, [&] { checkTopology(in, complex, of(findings, Check::topology)); });
   checkFeatures(in, complex, of(findings, Check::features));
   topology.finish();
   geometry.finish();
@@ -71,11 +69,12 @@ template <int N> Certificate certifyBlocks(const BlockInput<N> &input) {
   return joined(findings);
 }
 
-#define INSTANTIATE(N)                                                                                       \
+#define DUALBLOCK_DEFINE(N)                                                                                  \
   template Certificate certifyDual(const CertificateInput<N> &);                                             \
   template Certificate certify(const CertificateInput<N> &, const Certificate &);                            \
   template Certificate certifyBlocks(const BlockInput<N> &);
-INSTANTIATE(2)
-INSTANTIATE(3)
+DUALBLOCK_DEFINE(2)
+DUALBLOCK_DEFINE(3)
+#undef DUALBLOCK_DEFINE
 
 } // namespace dualblock

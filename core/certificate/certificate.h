@@ -74,4 +74,11 @@ template <int N> Certificate certify(const CertificateInput<N> &input) {
 /// Topology, geometry and features of a mesh that has been changed since, and has no dual of its own.
 template <int N> Certificate certifyBlocks(const BlockInput<N> &input);
 
+extern template Certificate certifyDual(const CertificateInput<2> &);
+extern template Certificate certifyDual(const CertificateInput<3> &);
+extern template Certificate certify(const CertificateInput<2> &, const Certificate &);
+extern template Certificate certify(const CertificateInput<3> &, const Certificate &);
+extern template Certificate certifyBlocks(const BlockInput<2> &);
+extern template Certificate certifyBlocks(const BlockInput<3> &);
+
 } // namespace dualblock

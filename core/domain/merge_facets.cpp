@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "base/disjoint_sets.h"
@@ -113,27 +112,16 @@ std::vector<EdgeUse> edgeUses(const std::vector<Facet> &facets) {
 }
 
 Lists<FacetNeighbour> facetNeighbours(const std::vector<EdgeUse> &uses, std::size_t facets) {
-  const auto forTwins = [&](auto visit) {
+  return collectLists<FacetNeighbour>(facets, [&](auto put) {
     for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
       while (end < uses.size() && uses[end].nodes == uses[begin].nodes) ++end;
-      if (end - begin == 2) visit(uses[begin], uses[begin + 1]);
+      if (end - begin != 2) continue;
+      const EdgeUse &a = uses[begin];
+      const EdgeUse &b = uses[begin + 1];
+      put(a.facet, {b.facet, a.forward != b.forward});
+      put(b.facet, {a.facet, a.forward != b.forward});
     }
-  };
-  Lists<FacetNeighbour> neighbours;
-  neighbours.offsets.assign(facets + 1, 0);
-  forTwins([&](const EdgeUse &a, const EdgeUse &b) {
-    ++neighbours.offsets[at(a.facet) + 1];
-    ++neighbours.offsets[at(b.facet) + 1];
   });
-  std::partial_sum(neighbours.offsets.begin(), neighbours.offsets.end(), neighbours.offsets.begin());
-  neighbours.items.resize(at(neighbours.offsets.back()));
-  std::vector<Index> place(neighbours.offsets.begin(), neighbours.offsets.end() - 1);
-  forTwins([&](const EdgeUse &a, const EdgeUse &b) {
-    const bool agrees = a.forward != b.forward;
-    neighbours.items[at(place[at(a.facet)]++)] = {b.facet, agrees};
-    neighbours.items[at(place[at(b.facet)]++)] = {a.facet, agrees};
-  });
-  return neighbours;
 }
 
 MergedFacets mergeCoplanar(const std::vector<Vec<3>> &vertices, std::vector<Facet> facets, double tolerance) {

@@ -99,7 +99,7 @@ std::vector<Index> earlierTwins(const std::vector<Facet> &facets) {
     corners.closeList();
     order.push_back(toIndex(order.size()));
   }
-  sortByIndex(
+  sortByIndex( // stable: equal ones stay in the order of their numbers
       order, at(most) + 1, [&](Index f) { return corners.size(f) > 0 ? *corners.begin(f) : 0; },
       [&](Index a, Index b) {
         return std::lexicographical_compare(corners.begin(a), corners.end(a), corners.begin(b),

@@ -97,14 +97,10 @@ public:
             freedom.forbid(unit);
           }
       }
-    blocksAt_.offsets.assign(at(primal.nodeCount) + 1, 0);
-    for (const Block<N> &b : primal.blocks)
-      for (const Index v : b.nodes) ++blocksAt_.offsets[at(v) + 1];
-    for (std::size_t v = 0; v < at(primal.nodeCount); ++v) blocksAt_.offsets[v + 1] += blocksAt_.offsets[v];
-    blocksAt_.items.resize(at(blocksAt_.offsets.back()));
-    std::vector<Index> cursor(blocksAt_.offsets.begin(), blocksAt_.offsets.end() - 1);
-    for (std::size_t b = 0; b < primal.blocks.size(); ++b)
-      for (const Index v : primal.blocks[b].nodes) blocksAt_.items[at(cursor[at(v)]++)] = toIndex(b);
+    blocksAt_ = collectLists<Index>(at(primal.nodeCount), [&](auto put) {
+      for (std::size_t b = 0; b < primal.blocks.size(); ++b)
+        for (const Index v : primal.blocks[b].nodes) put(v, toIndex(b));
+    });
   }
 
   Index run(std::vector<Index> bad) {

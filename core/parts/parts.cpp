@@ -342,42 +342,29 @@ Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
     parts.sides.push_back({partOfFace(roots[k]), mesh.tags[at(s)][i], kNone});
     sideOf[at(roots[k])] = toIndex(k);
   }
-  std::vector<Index> sizes(roots.size(), 0);
-  for (Index f = 0; f < toIndex(sideOf.size()); ++f) {
-    sideOf[at(f)] = sideOf[at(joined.find(f))];
-    ++sizes[at(sideOf[at(f)])];
-  }
-  for (const Index n : sizes) parts.sideFaces.offsets.push_back(parts.sideFaces.offsets.back() + n);
-  parts.sideFaces.items.resize(boundary.faces.size());
-  std::vector<Index> cursor(parts.sideFaces.offsets.begin(), parts.sideFaces.offsets.end() - 1);
-  for (std::size_t f = 0; f < sideOf.size(); ++f)
-    parts.sideFaces.items[at(cursor[at(sideOf[f])]++)] = boundary.faces[f];
+  for (Index f = 0; f < toIndex(sideOf.size()); ++f) sideOf[at(f)] = sideOf[at(joined.find(f))];
+  parts.sideFaces = collectLists<FaceRef<N>>(roots.size(), [&](auto put) {
+    for (std::size_t f = 0; f < sideOf.size(); ++f) put(sideOf[f], boundary.faces[f]);
+  });
   for (Index p = 0, s = 0; p < partCount; ++p) {
     for (; s < toIndex(parts.sides.size()) && parts.sides[at(s)].part == p; ++s)
       parts.partSides.items.push_back(s);
     parts.partSides.closeList();
   }
 
-  // Node to sides: counted, then noted, side by side.
-  auto &nodeSides = parts.nodeSides;
-  nodeSides.offsets.assign(mesh.nodes.size() + 1, 0);
-  std::vector<Index> seenFrom(mesh.nodes.size(), kNone);
-  const auto forIncidences = [&](auto visit) {
+  // Node to sides, side by side.
+  std::vector<Index> seenFrom(mesh.nodes.size());
+  parts.nodeSides = collectLists<Index>(mesh.nodes.size(), [&](auto put) {
+    seenFrom.assign(mesh.nodes.size(), kNone);
     for (Index side = 0; side < toIndex(parts.sides.size()); ++side)
       for (const FaceRef<N> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f)
         for (int v = 0; v < N + 1; ++v)
           if (const Index node = mesh.simplices[at(f->simplex)][v];
               v != f->face && seenFrom[at(node)] != side) {
             seenFrom[at(node)] = side;
-            visit(node, side);
+            put(node, side);
           }
-  };
-  forIncidences([&](Index node, Index) { ++nodeSides.offsets[at(node) + 1]; });
-  for (std::size_t v = 0; v < mesh.nodes.size(); ++v) nodeSides.offsets[v + 1] += nodeSides.offsets[v];
-  nodeSides.items.resize(at(nodeSides.offsets.back()));
-  cursor.assign(nodeSides.offsets.begin(), nodeSides.offsets.end() - 1);
-  seenFrom.assign(mesh.nodes.size(), kNone);
-  forIncidences([&](Index node, Index side) { nodeSides.items[at(cursor[at(node)]++)] = side; });
+  });
 
   const auto store = std::make_shared<FeatureStore<N>>();
   buildCurves(mesh, boundary, sideOf, earlier, parts, *store);

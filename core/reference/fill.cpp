@@ -73,17 +73,12 @@ template <int N>
 std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Domain<N> &domain,
                               Index cellCount) {
   const Shells shells = findShells(domain);
-  Lists<Index> ofCell; // facets around each cell, the outside being the last one
   const auto number = [&](Index cell) { return cell == kNone ? cellCount : cell; };
-  ofCell.offsets.assign(at(cellCount) + 2, 0);
-  for (const Crossing<N> &c : contacts)
-    for (const Index cell : {number(c.cell), number(c.neighbor)}) ++ofCell.offsets[at(cell) + 1];
-  for (std::size_t c = 0; c <= at(cellCount); ++c) ofCell.offsets[c + 1] += ofCell.offsets[c];
-  ofCell.items.resize(at(ofCell.offsets.back()));
-  std::vector<Index> cursor(ofCell.offsets.begin(), ofCell.offsets.end() - 1);
-  for (std::size_t f = 0; f < contacts.size(); ++f)
-    for (const Index cell : {number(contacts[f].cell), number(contacts[f].neighbor)})
-      ofCell.items[at(cursor[at(cell)]++)] = toIndex(f);
+  // Facets around each cell, the outside being the last one.
+  const Lists<Index> ofCell = collectLists<Index>(at(cellCount) + 1, [&](auto put) {
+    for (std::size_t f = 0; f < contacts.size(); ++f)
+      for (const Index cell : {contacts[f].cell, contacts[f].neighbor}) put(number(cell), toIndex(f));
+  });
 
   std::vector<bool> inside(at(cellCount) + 1, false);
   std::vector<bool> known(at(cellCount) + 1, false);

@@ -17,7 +17,7 @@ public:
   /// points: 3 coordinates each. has() is false ever after if they are on no such grid.
   void lay(const double *points, int count) {
     const int size = 3 * count;
-    step = std::numeric_limits<double>::infinity();
+    double step = std::numeric_limits<double>::infinity();
     double extent = 0;
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,7 +39,7 @@ public:
 
   /// Whether all the points, of the domain, are on the grid.
   template <class... Points> bool has(const Points *...points) const {
-    return isLaid && (isOn(points) & ...);
+    return isLaid && (isOn(points) && ...);
   }
 
 private:
@@ -58,7 +58,6 @@ private:
            (p[2] + rounder) - rounder == p[2];
   }
 
-  double step = 0;
   double rounder = 0;
   bool isLaid = false;
 };

@@ -1,4 +1,4 @@
-// `npm run bench`: every stage natively and in WebAssembly, as ratios to TetGen's own time in the same run
+// `npm run bench`: every stage natively and in WebAssembly, as ratios to TetGen's own time, measured just before
 // (the machine's speed drops out), with peak memory. Prints the table that the README shows.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
