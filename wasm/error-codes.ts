@@ -28,6 +28,7 @@ export const errorCodes = [
   { name: 'noValidMesh', meaning: 'no block mesh of this domain passed the certificate' },
   { name: 'badOption', meaning: 'an option has a value that it cannot have' },
   { name: 'nothingLoaded', meaning: 'run was called before a domain was loaded' },
+  { name: 'libraryMissing', meaning: 'a library that a file format needs cannot be loaded' },
   { name: 'internal', meaning: 'a defect in dualblock' },
 ] as const;
 

@@ -1,4 +1,5 @@
-// Keeps the page for use without a connection. The build puts in the list of its files and a number for it.
+// Keeps the page for use without a connection. The build puts in the list of its files and a number for it; what few need
+// is not in the list, and kept from its first use on.
 const version = '__VERSION__';
 const files = __FILES__;
 
@@ -17,6 +18,13 @@ addEventListener('activate', (event) => {
   event.waitUntil(drop());
 });
 
+const fetched = async (request) => {
+  const response = await fetch(request);
+  if (response.ok && request.url.includes('/assets/'))
+    await (await caches.open(version)).put(request, response.clone());
+  return response;
+};
+
 // The page itself comes from the network where there is one, so that a new version is seen; all else has its contents'
 // hash in its name, or belongs to the page's version.
 addEventListener('fetch', (event) => {
@@ -26,7 +34,7 @@ addEventListener('fetch', (event) => {
   const answer = async () => {
     if (request.mode === 'navigate')
       return fetch(request).catch(async () => (await cached()) ?? caches.match('./'));
-    return (await cached()) ?? fetch(request);
+    return (await cached()) ?? fetched(request);
   };
   event.respondWith(answer());
 });

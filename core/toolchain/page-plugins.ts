@@ -32,12 +32,16 @@ export const securityPolicy: Plugin = {
   ],
 };
 
-/** LICENSE.txt and the source beside the page, as the AGPL asks of who offers it. */
+/** LICENSE.txt and the source beside the page, as the AGPL asks of who offers it, and the notice of HDF5. */
 export const licenceAndSource: Plugin = {
   name: 'licence-and-source',
   apply: 'build',
   generateBundle() {
-    this.emitFile({ type: 'asset', fileName: 'LICENSE.txt', source: readFileSync(new URL('LICENSE', root)) });
+    for (const [fileName, path] of [
+      ['LICENSE.txt', 'LICENSE'],
+      ['HDF5-LICENSE.txt', 'node_modules/h5wasm/LICENSE.txt'],
+    ] as const)
+      this.emitFile({ type: 'asset', fileName, source: readFileSync(new URL(path, root)) });
     const source = execFileSync('tar', ['-cz', '--null', '-T', '-'], {
       cwd: root,
       input: sourceFiles().join('\0'),
@@ -67,13 +71,16 @@ function sourceFiles(): string[] {
   }
 }
 
-/** sw.js with the list of everything that the build made, and of the public files. */
+/** What few need: the source, and HDF5, 1 MB for CGNS files. The page itself is in the list as the folder. */
+const notKept = /^(source\.tar\.gz|index\.html|assets\/hdf5_.*)$/;
+
+/** sw.js with the list of what the build made and of the public files. */
 export const serviceWorker: Plugin = {
   name: 'service-worker',
   apply: 'build',
   enforce: 'post',
   generateBundle(_, bundle) {
-    const built = Object.keys(bundle).filter((name) => !/^(source\.tar\.gz|index\.html)$/.test(name));
+    const built = Object.keys(bundle).filter((name) => !notKept.test(name));
     const examples = readdirSync(new URL('public/examples/', root)).map((name) => `examples/${name}`);
     const files = ['', 'icon.svg', ...built, ...examples].map((name) => `./${name}`).sort();
     const hash = createHash('sha256');

@@ -13,7 +13,7 @@ packages='g++ cmake ninja-build emscripten libglm-dev libgtest-dev nlohmann-json
 if [ "${1:-}" = test ]; then
   packages="$packages clang-format clang-tidy clang libclang-rt-14-dev"
   # Programs that open our files: about 120 MB to fetch. Tests skip those that are absent.
-  packages="$packages gmsh calculix-ccx python3-meshio openfoam"
+  packages="$packages gmsh calculix-ccx python3-meshio openfoam cgns-convert"
   [ -n "${CHROMIUM:-}" ] || packages="$packages chromium"
 fi
 

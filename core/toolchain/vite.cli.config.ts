@@ -1,9 +1,10 @@
-// Bundles the command line for Node into one file, wasm/build/cli.mjs, with its npm dependencies inside.
+// Bundles the command line for Node into one file, wasm/build/cli.mjs. HDF5, 4 MB that only CGNS files need, stays in
+// node_modules until then.
 import { defineConfig } from 'vite';
 
 export default defineConfig({
   publicDir: false,
-  ssr: { noExternal: true, target: 'node' },
+  ssr: { noExternal: true, external: ['h5wasm'], target: 'node' },
   build: {
     ssr: 'wasm/cli/main.ts',
     outDir: 'wasm/build',

@@ -1,5 +1,7 @@
 // The command line as scripts meet it: exit statuses, what goes to which stream, files, reports, determinism.
 import { spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync } from 'node:fs';
+import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Report } from '../../wasm/report.ts';
 import { program, useCommandLine } from './support/command-line.ts';
@@ -8,7 +10,7 @@ import { asFiles, box, textStl } from './support/solids.ts';
 
 const { version } = JSON.parse(repositoryFile('package.json').toString()) as { version: string };
 
-const { dualblock, files, fileIn, write } = useCommandLine();
+const { dualblock, files, fileIn, path, write } = useCommandLine();
 
 describe('a certified mesh', () => {
   it('goes into a file, and its report alone to standard output', () => {
@@ -56,6 +58,7 @@ describe('a certified mesh', () => {
       'a.msh',
       'a.mesh',
       'a.inp',
+      'a.cgns',
       'a.json',
       'blockMeshDict',
       'a.blockMeshDict',
@@ -172,6 +175,20 @@ describe('exit status 3: no valid mesh', () => {
   });
 });
 
+describe('without node_modules', () => {
+  it('a CGNS file is refused, with the remedy, and what was there stays', () => {
+    mkdirSync(path('copy/wasm/cli'), { recursive: true });
+    for (const part of ['wasm/cli/dualblock.mjs', 'wasm/build', 'public/examples'])
+      cpSync(join(program, '../../..', part), path(`copy/${part}`), { recursive: true });
+    write('kept.cgns', 'as it was');
+    const words = [path('copy/wasm/cli/dualblock.mjs'), '--example', 'house', '--quiet', '-o', 'kept.cgns'];
+    const { status, stderr } = spawnSync(process.execPath, words, { cwd: path('.'), encoding: 'utf8' });
+    expect(status).toBe(3);
+    expect(stderr).toMatch(/^dualblock: house: CGNS files need .* run npm ci .* \[libraryMissing\]\n$/);
+    expect(fileIn('kept.cgns')).toBe('as it was');
+  });
+});
+
 describe('words', () => {
   it('--list-examples', () => {
     const { status, stdout, stderr } = dualblock('--list-examples');
@@ -195,7 +212,7 @@ describe('words', () => {
 describe('determinism', () => {
   it('two runs write the same bytes, and the same report apart from timings and memory', () => {
     const run = (name: string): Partial<Report> => {
-      const outputs = ['vtk', 'mesh', 'json'].flatMap((extension) => ['-o', `${name}.${extension}`]);
+      const outputs = ['vtk', 'mesh', 'cgns', 'json'].flatMap((extension) => ['-o', `${name}.${extension}`]);
       const words = [
         '--example',
         'notched_cube',
@@ -213,7 +230,7 @@ describe('determinism', () => {
       return rest;
     };
     expect(run('first')).toEqual(run('second'));
-    for (const extension of ['vtk', 'mesh', 'json'])
+    for (const extension of ['vtk', 'mesh', 'cgns', 'json'])
       expect(fileIn(`first.${extension}`) === fileIn(`second.${extension}`)).toBe(true);
   });
 });

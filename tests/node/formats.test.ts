@@ -40,7 +40,7 @@ it('the cube has the counts of the tapered brick', () => {
 it('formats follow from extensions in any case', () => {
   expect(formatOf('C:\\parts\\Plate.STL')).toBe('stl');
   expect(formatOf('a.b.Poly')).toBe('poly');
-  expect(outputFormats).toEqual(['vtk', 'vtu', 'msh', 'mesh', 'inp', 'json', 'blockMeshDict']);
+  expect(outputFormats).toEqual(['vtk', 'vtu', 'msh', 'mesh', 'inp', 'cgns', 'json', 'blockMeshDict']);
 });
 
 const dataFolder = fileURLToPath(new URL('../../../shared/data/planar/', import.meta.url));

@@ -10,6 +10,7 @@ import {
   canvasShot,
   chooseFile,
   desktop,
+  downloaded,
   expectNoProblems,
   openExample,
   phone,
@@ -263,7 +264,7 @@ describe('what is loaded', () => {
 
   it('holds the licence and the source', async () => {
     const { page } = await host.open();
-    for (const path of ['LICENSE.txt', 'source.tar.gz'])
+    for (const path of ['LICENSE.txt', 'HDF5-LICENSE.txt', 'source.tar.gz'])
       expect((await page.request.get(`${host.url}${path}`)).status()).toBe(200);
     await page.keyboard.press('?');
     expect(await page.textContent('dialog')).toContain('AGPL');
@@ -272,17 +273,23 @@ describe('what is loaded', () => {
 });
 
 describe('without a connection', () => {
-  it('the page works after the first load', async () => {
+  /** A page that has been loaded once, and whose service worker has all its files. */
+  async function openAndKeep() {
     const context = await host.browser.newContext({ viewport: desktop });
     const page = await context.newPage();
-    const errors: string[] = [];
-    page.on('pageerror', (error) => errors.push(error.message));
     await page.goto(host.url);
     await ready(page);
     await page.evaluate(async () => {
       await navigator.serviceWorker.ready;
       while (!navigator.serviceWorker.controller) await new Promise((resolve) => setTimeout(resolve, 20));
     });
+    return { context, page };
+  }
+
+  it('the page works after the first load', async () => {
+    const { context, page } = await openAndKeep();
+    const errors: string[] = [];
+    page.on('pageerror', (error) => errors.push(error.message));
     await context.setOffline(true);
     await page.reload();
     await ready(page);
@@ -294,6 +301,29 @@ describe('without a connection', () => {
     await setView(page, { step: 6 });
     expect(colours(await canvasShot(page))).toBeGreaterThan(8);
     expect(errors).toEqual([]);
+    await context.close();
+  });
+
+  it('CGNS files wait for the first one made with a connection', async () => {
+    const { context, page } = await openAndKeep();
+    const openExports = async (offline: boolean): Promise<void> => {
+      await context.setOffline(offline);
+      await page.reload();
+      await ready(page);
+      await page.keyboard.press('x');
+      await page.waitForSelector('[data-export=cgns]');
+    };
+    await openExports(true);
+    await page.click('[data-export=cgns]');
+    await page.waitForSelector('dialog [role=alert]');
+    expect(await page.textContent('dialog [role=alert]')).toMatch(
+      /HDF5 library.*go online and load the page/,
+    );
+    for (const offline of [false, true]) {
+      await openExports(offline);
+      const { name } = await downloaded(page, () => page.click('[data-export=cgns]'));
+      expect(name).toMatch(/\.cgns$/);
+    }
     await context.close();
   });
 });

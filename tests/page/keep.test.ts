@@ -2,11 +2,12 @@
 import { PNG } from 'pngjs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../wasm/dualblock.ts';
+import { blockMesh } from '../../wasm/io/block-mesh-of.ts';
 import { viewToFragment } from '../../web/src/state/codec.ts';
 import { extractText } from '../../web/src/state/png.ts';
 import { defaultState, type ViewState } from '../../web/src/state/view-state.ts';
 import { runExample, startCore } from '../node/support/core.ts';
-import { meshWriter } from '../node/support/writers.ts';
+import { meshWriter, writeCgns } from '../node/support/writers.ts';
 import { cubeFiles } from './support/cube-files.ts';
 import {
   canvasShot,
@@ -232,7 +233,8 @@ describe('pictures', () => {
 
 describe('exports', () => {
   it('are what the command line writes, byte for byte', async () => {
-    const { page } = await host.open();
+    const opened = await host.open();
+    const { page } = opened;
     await openExample(page, 'house');
     const result = runExample(core, 'house');
     await page.keyboard.press('x');
@@ -241,6 +243,10 @@ describe('exports', () => {
       expect(name).toBe(`house.${extension}`);
       expect(bytes.equals(Buffer.from(meshWriter(name)(result) as string))).toBe(true);
     }
+    const { name, bytes } = await downloaded(page, () => page.click('[data-export=cgns]'));
+    expect(name).toBe('house.cgns');
+    expect(bytes.equals(await writeCgns(blockMesh(result)))).toBe(true);
+    expectNoProblems(opened);
     await page.close();
   });
 
@@ -248,7 +254,7 @@ describe('exports', () => {
     const { page } = await host.open();
     await openExample(page, 'figure_12a');
     await page.keyboard.press('x');
-    for (const id of ['vtk', 'vtu', 'msh', 'mesh', 'inp', 'json', 'blockMeshDict', 'csv']) {
+    for (const id of ['vtk', 'vtu', 'msh', 'mesh', 'inp', 'cgns', 'json', 'blockMeshDict', 'csv']) {
       await page.waitForSelector(`[data-export=${id}]`);
       expect(await page.isDisabled(`[data-export=${id}]`)).toBe(true);
     }

@@ -31,7 +31,8 @@ export async function use(bytes: Uint8Array): Promise<Report | ErrorCode> {
     const check: Check | undefined = result.certificate.failures[0]?.check;
     const refiner = await Refiner.create({ wasmBinary: bytes });
     const refined: RefinedMesh = refiner.refine(refineInput(result), { intervals: 3 });
-    const file: (string | Uint8Array)[] = [...meshWriter('part.vtk')(result, refined)];
+    const file: (string | Uint8Array)[] = [];
+    for await (const piece of meshWriter('part.vtk')(result, refined)) file.push(piece);
     console.log(blocks.length, dimension, check, file.length, core.memory().inUse);
     return makeReport(result, settings, core.memory().peak);
   } catch (error) {

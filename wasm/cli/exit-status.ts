@@ -2,7 +2,14 @@
 import { DualblockError } from '../io/errors.ts';
 
 export const exitStatus = { certified: 0, badInput: 1, badUsage: 2, noValidMesh: 3 };
-const notTheInputsFault = ['tetgenFailed', 'outOfMemory', 'timeLimit', 'noValidMesh', 'internal'];
+const notTheInputsFault = [
+  'tetgenFailed',
+  'outOfMemory',
+  'timeLimit',
+  'noValidMesh',
+  'libraryMissing',
+  'internal',
+];
 
 export const statusOf = ({ code }: DualblockError): number =>
   notTheInputsFault.includes(code) ? exitStatus.noValidMesh : exitStatus.badInput;

@@ -41,8 +41,12 @@ export async function readSource(source: Source): Promise<{ name: string; bytes:
   return { name: source.path, bytes: await readInput(source.path) };
 }
 
+type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
+
 /** Writes a file piece by piece. Throws UsageError. */
-export async function save(path: string, pieces: Iterable<string | Uint8Array>): Promise<void> {
+export async function save(path: string, pieces: Pieces): Promise<void> {
+  const steps = Symbol.asyncIterator in pieces ? pieces[Symbol.asyncIterator]() : pieces[Symbol.iterator]();
+  let step = await steps.next(); // what cannot be written at all leaves the file that was there
   let file: FileHandle;
   try {
     file = await open(path, 'w');
@@ -50,7 +54,7 @@ export async function save(path: string, pieces: Iterable<string | Uint8Array>):
     throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
   }
   try {
-    for (const piece of pieces) await file.writeFile(piece);
+    for (; !step.done; step = await steps.next()) await file.writeFile(step.value);
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
     if (code === undefined) throw error;

@@ -116,6 +116,8 @@ function notFinite(kind: string, index: number): DualblockError {
 
 /** Pieces of a file, in order: a file of millions of elements is never in memory as a whole. */
 export type Chunks = Generator<string | Uint8Array<ArrayBuffer>, void, undefined>;
+/** The same, where a library has to be loaded first. */
+export type AsyncChunks = AsyncGenerator<string | Uint8Array<ArrayBuffer>, void, undefined>;
 
 /** Characters after which rows become a piece of their own. */
 const kChunk = 1 << 16;

@@ -51,19 +51,27 @@ export const regionsOf = (mesh: BlockMesh): number[] =>
 
 /**
  * Words for names, each once, for formats where a name is one word: what is neither a letter, a digit nor in `allowed`
- * becomes `_`, and names that would then be equal get numbers. Every word begins with a letter.
+ * becomes `_`, and names that would then be equal to one another or to one of `taken` get numbers. Every word begins with
+ * a letter and has `longest` characters at the most, before such a number.
  */
-export function uniqueWords(names: readonly string[], allowed = ''): string[] {
-  const taken = new Set<string>();
+export function uniqueWords(names: readonly string[], form: WordForm = {}): string[] {
+  const { allowed = '', longest = kLongestWord } = form;
+  // Solvers ignore case, so that counts as equal too.
+  const taken = new Set(form.taken?.map((name) => name.toLowerCase()));
   return names.map((name) => {
     const clean = [...name].map((c) => (/[A-Za-z0-9_]/.test(c) || allowed.includes(c) ? c : '_')).join('');
-    const word = (/^[A-Za-z]/.test(clean) ? clean : `f_${clean}`).slice(0, kLongestWord);
+    const word = (/^[A-Za-z]/.test(clean) ? clean : `f_${clean}`).slice(0, longest);
     let unique = word;
-    // Solvers ignore case, so that counts as equal too.
     for (let n = 2; taken.has(unique.toLowerCase()); n++) unique = `${word}_${n}`;
     taken.add(unique.toLowerCase());
     return unique;
   });
+}
+
+interface WordForm {
+  allowed?: string;
+  longest?: number;
+  taken?: readonly string[];
 }
 
 /** Abaqus takes 80 characters; some are left for what is added to a word. */

@@ -1,22 +1,23 @@
 // The door to the writers.
 import type { RefinedMesh } from '../refine.ts';
 import type { RunResult } from '../result.ts';
-import type { BlockMesh, Chunks } from './block-mesh.ts';
+import type { AsyncChunks, BlockMesh, Chunks } from './block-mesh.ts';
 import { blockMesh, dividedBlocks, elementMesh } from './block-mesh-of.ts';
 import { DualblockError } from './errors.ts';
 import { writeAbaqus } from './write-abaqus.ts';
 import { writeBlockMeshDict } from './write-block-mesh-dict.ts';
+import { writeCgns } from './write-cgns.ts';
 import { writeGmsh } from './write-gmsh.ts';
 import { writeJson } from './write-json.ts';
 import { writeMedit } from './write-medit.ts';
 import { writeVtk } from './write-vtk.ts';
 import { writeVtu } from './write-vtu.ts';
 
-/** Writes the mesh of a result, or the refined one, piece by piece. */
-export type MeshWriter = (result: RunResult, refined?: RefinedMesh | null) => Chunks;
+/** Writes the mesh of a result, or the refined one, piece by piece; `for await` takes either kind of pieces. */
+export type MeshWriter = (result: RunResult, refined?: RefinedMesh | null) => Chunks | AsyncChunks;
 
 const ofElements =
-  (write: (mesh: BlockMesh) => Chunks): MeshWriter =>
+  (write: (mesh: BlockMesh) => Chunks | AsyncChunks): MeshWriter =>
   (result, refined = null) =>
     write(refined ? elementMesh(result, refined) : blockMesh(result));
 
@@ -26,6 +27,7 @@ const writers = {
   msh: ofElements(writeGmsh),
   mesh: ofElements(writeMedit),
   inp: ofElements(writeAbaqus),
+  cgns: ofElements(writeCgns),
   json: writeJson,
   // OpenFOAM divides the blocks itself.
   blockMeshDict: (result, refined = null) =>

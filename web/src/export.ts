@@ -1,5 +1,5 @@
 // What leaves the page: pictures, meshes, what is seen as glTF, reports.
-import type { Chunks } from '../../wasm/io/block-mesh.ts';
+import type { AsyncChunks, Chunks } from '../../wasm/io/block-mesh.ts';
 import { refineInput } from '../../wasm/refine.ts';
 import { makeReport, summarize } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
@@ -60,10 +60,10 @@ const valid = ({ model }: App): boolean =>
 const any = ({ model }: App): boolean => model !== null;
 
 /** A file of pieces, with pauses for the page between them. */
-async function blobOf(pieces: Chunks): Promise<Blob> {
+async function blobOf(pieces: Chunks | AsyncChunks): Promise<Blob> {
   const parts: (string | Uint8Array<ArrayBuffer>)[] = [];
   let since = performance.now();
-  for (const piece of pieces) {
+  for await (const piece of pieces) {
     parts.push(piece);
     if (performance.now() - since < 30) continue;
     await new Promise((go) => setTimeout(go));
@@ -96,6 +96,7 @@ export const exporters: Exporter[] = [
   mesh('vtu', 'Mesh, VTK XML', 'the same and D̄-surfaces, binary; for ParaView'),
   mesh('msh', 'Mesh, Gmsh', 'blocks and boundary in physical groups'),
   mesh('inp', 'Mesh, Abaqus', 'with sets and surfaces; also for CalculiX'),
+  mesh('cgns', 'Mesh, CGNS', 'with families and fields, in HDF5'),
   mesh('blockMeshDict', 'Blocks, OpenFOAM', 'blockMeshDict with a patch per facet'),
   mesh('mesh', 'Mesh, Medit', 'blocks and boundary with references'),
   mesh('json', 'Everything, JSON', 'every stage’s result, from tetrahedra to blocks'),

@@ -23,6 +23,7 @@ export function useCommandLine() {
       expect(stdout).not.toMatch(/^\s+at /m);
       return { status, stdout, stderr };
     },
+    path: (name: string): string => join(folder, name),
     files: (): string[] => readdirSync(folder),
     fileIn: (name: string): string => readFileSync(join(folder, name), 'utf8'),
     write: (name: string, content: string | Uint8Array): void => writeFileSync(join(folder, name), content),

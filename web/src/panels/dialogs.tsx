@@ -88,6 +88,10 @@ function Help() {
         <a href="./source.tar.gz" download>
           source of this page
         </a>
+        . CGNS files are written by{' '}
+        <a href="./HDF5-LICENSE.txt" target="_blank" rel="noreferrer">
+          HDF5 and h5wasm
+        </a>
         .
       </p>
     </>
