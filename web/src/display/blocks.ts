@@ -13,7 +13,7 @@ import {
 import { pick } from './domain.ts';
 
 export function displayReference({ dimension, reference }: RunResult): CellSet {
-  const shape = dimension === 2 ? shapes.triangle : shapes.tetrahedron;
+  const shape = dimension === 2 ? 'triangle' : 'tetrahedron';
   return uniformCells(shape, dimension, reference.nodes, reference.simplices, reference.neighbors);
 }
 
@@ -47,9 +47,10 @@ export function referenceEdges({ dimension, reference }: RunResult): SegmentSet 
 
 /** `blocks`: 4 or 8 nodes each, in VTK's order. */
 export function displayBlocks(dimension: 2 | 3, positions: Float64Array, blocks: Int32Array): CellSet {
-  const shape = dimension === 2 ? shapes.quad : shapes.hexahedron;
+  const name = dimension === 2 ? 'quad' : 'hexahedron';
+  const shape = shapes[name];
   const neighbors = findNeighbors(sidesOf(shape), shape.vertices, blocks);
-  return uniformCells(shape, dimension, positions, blocks, neighbors);
+  return uniformCells(name, dimension, positions, blocks, neighbors);
 }
 
 export interface RefinedCells {
@@ -109,7 +110,7 @@ function displayOuter({ positions, boundaryFaces }: RefinedMesh, cells: Int32Arr
     const own = (v: number): number => cells[vertices * cell + v]!;
     if (neighbors[f]! < 0 && faces[f % faces.length]!.some((v) => !isOuter[own(v)])) neighbors[f] = -2;
   }
-  return uniformCells(shapes.hexahedron, 3, positions, cells, neighbors);
+  return uniformCells('hexahedron', 3, positions, cells, neighbors);
 }
 
 /** `element`: those that are drawn; null for all. */

@@ -20,6 +20,11 @@ export interface CellSet {
   lineFaces: Int32Array;
   /** Per line an earlier one of a neighbouring cell in the same place, or -1: only one of them needs to be drawn. */
   lineTwin: Int32Array;
+  /**
+   * Of so many cells lines would take longer to make and to draw than faces: there are none, and the outlines are drawn
+   * within the faces, which takes cells of one shape with their points in its order. Else null.
+   */
+  wired: ShapeName | null;
   /** xyz per cell: the mean of its points. */
   centers: Float32Array;
   /** Per cell, how many cells there are between it and the domain's boundary. */
@@ -100,6 +105,10 @@ export const shapes = {
     [4, 5, 6, 7],
   ]),
 } satisfies Record<string, CellShape>;
+export type ShapeName = keyof typeof shapes;
+
+/** Beyond so many cells outlines are no lines. */
+const mostWithLines = 20_000;
 
 function outline(n: number): [number, number, number, number][] {
   return Array.from({ length: n }, (_, k) => [k, (k + 1) % n, 0, -1]);
@@ -125,14 +134,16 @@ function shapeOf(vertices: number, faces: number[][]): CellShape {
  * `neighbors`: cells across the faces (2D: the sides) of each cell, or -1.
  */
 export function uniformCells(
-  shape: CellShape,
+  name: ShapeName,
   dimension: 2 | 3,
   positions: Float64Array,
   cells: Int32Array,
   neighbors: Int32Array,
 ): CellSet {
+  const shape: CellShape = shapes[name];
   const n = shape.vertices;
   const count = cells.length / n;
+  const edges = count > mostWithLines ? [] : shape.edges;
   const points = new Float32Array(3 * cells.length);
   const pointCell = new Int32Array(cells.length);
   cells.forEach((node, p) => {
@@ -144,7 +155,7 @@ export function uniformCells(
   const facePoints = new Int32Array(count * perCell);
   const faceCell = new Int32Array(count * shape.faces.length);
   const faceOther = new Int32Array(faceCell.length);
-  const lines = new Int32Array(2 * count * shape.edges.length);
+  const lines = new Int32Array(2 * count * edges.length);
   const lineFaces = new Int32Array(lines.length);
   let face = 0;
   let corner = 0;
@@ -157,7 +168,7 @@ export function uniformCells(
       faceOther[face] = dimension === 2 ? -1 : neighbors[shape.faces.length * c + f]!;
       faceOffsets[++face] = corner;
     }
-    for (const [a, b, f, g] of shape.edges) {
+    for (const [a, b, f, g] of edges) {
       lines[line] = n * c + a;
       lines[line + 1] = n * c + b;
       lineFaces[line] = firstFace + f;
@@ -177,6 +188,7 @@ export function uniformCells(
     lines,
     lineFaces,
     lineTwin: twins(lines, cells),
+    wired: edges.length > 0 ? null : name,
     centers,
     depth: uniformDepths(count, neighbors),
     open: dimension === 2,

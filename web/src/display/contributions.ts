@@ -144,6 +144,7 @@ function polygonCells(count: number, points: Float32Array, pointCell: Int32Array
     lines,
     lineFaces,
     lineTwin: new Int32Array(lines.length / 2).fill(-1),
+    wired: null,
     centers: cellCenters(count, points, pointCell),
     depth: new Int32Array(count),
     open: true,

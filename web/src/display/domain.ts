@@ -82,6 +82,7 @@ function boundary({ dimension, reference, domain }: RunResult): CellSet {
     lines: new Int32Array(),
     lineFaces: new Int32Array(),
     lineTwin: new Int32Array(),
+    wired: null,
     centers: cellCenters(count, points, pointCell),
     depth: new Int32Array(count),
     open: true,

@@ -122,6 +122,7 @@ export function displayDualCells(result: RunResult, templates: Templates): DualC
     lines: lines.finish(),
     lineFaces: lineFaces.finish(),
     lineTwin: new Int32Array(lines.length / 2).fill(-1),
+    wired: null,
     centers: cellCenters(count, points, pointCell),
     depth: depthsOf(
       count,

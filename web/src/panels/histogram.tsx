@@ -1,5 +1,5 @@
 // Scaled Jacobians of what the step shows, and a range of them to keep: by dragging across the bars, or by sliders.
-import { useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { roundOf } from '../model/relaxation.ts';
 import { cssColour, qualityColour } from '../scene/palette.ts';
 import { Slider } from './controls.tsx';
@@ -7,14 +7,15 @@ import { useApp, useUi, useView } from './hooks.ts';
 
 const bins = 20;
 
-/** Values per bin; bins of equal width from `low` to 1. */
-function histogramOf(values: ArrayLike<number>, low: number): number[] {
+/** Values per bin; bins of equal width from `low`, 0 or -1 where there are values under 0, to 1. */
+function histogramOf(values: Float64Array): { low: number; counts: number[] } {
+  const low = values.some((v) => v < 0) ? -1 : 0;
   const counts = new Array<number>(bins).fill(0);
   for (let k = 0; k < values.length; k++) {
     const at = Math.floor(((values[k]! - low) / (1 - low)) * bins);
     counts[Math.min(bins - 1, Math.max(0, at))]!++;
   }
-  return counts;
+  return { low, counts };
 }
 
 export function Histogram() {
@@ -32,9 +33,9 @@ export function Histogram() {
     step === 9 && refined
       ? refined.allQuality
       : model && roundOf(model.result, step === 8 ? round : null).quality;
+  // A million values are not counted at every turn of the camera.
+  const { low, counts } = useMemo(() => histogramOf(values ?? new Float64Array()), [values]);
   if (!values || values.length === 0) return <p class="hint">No blocks here.</p>;
-  const low = values.some((v) => v < 0) ? -1 : 0;
-  const counts = histogramOf(values, low);
   const most = Math.max(...counts);
   const [a, b] = quality ?? [-1, 1];
   const set = (range: [number, number]): void => {

@@ -54,7 +54,7 @@ export class CellLayer extends Layer {
     if (faces) {
       this.faces = new Mesh(
         indexed(position, cell, triangleCount(set) * 3),
-        cellMaterial(this.uniforms, { lit }),
+        cellMaterial(this.uniforms, { lit, wired: outlines ? set.wired : null, wireTint: lineTint }),
       );
       this.caps = new Mesh(new BufferGeometry(), cellMaterial(this.uniforms, { lit: 0, cap: true }));
       this.caps.visible = false;
@@ -121,7 +121,7 @@ export class CellLayer extends Layer {
       points: this.set.points,
       cell: this.set.pointCell,
       triangles: used(this.faces?.geometry),
-      lines: used(this.outlines?.geometry),
+      lines: this.set.wired ? loops(this.set, this.exposed) : used(this.outlines?.geometry),
     };
   }
 
@@ -170,6 +170,18 @@ function triangles({ faceOffsets, facePoints }: CellSet, exposed: Uint8Array, ou
     }
   }
   return n;
+}
+
+/** Each edge of each face, once per face. */
+function loops({ faceOffsets, facePoints }: CellSet, exposed: Uint8Array): Uint32Array {
+  const out: number[] = [];
+  for (let f = 0; f < exposed.length; f++) {
+    if (!exposed[f]) continue;
+    const from = faceOffsets[f]!;
+    const to = faceOffsets[f + 1]!;
+    for (let k = from; k < to; k++) out.push(facePoints[k]!, facePoints[k + 1 < to ? k + 1 : from]!);
+  }
+  return Uint32Array.from(out);
 }
 
 /** Where cells touch, a line of several of them is drawn once: by the first that shows it. */

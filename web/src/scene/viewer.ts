@@ -6,6 +6,7 @@ import { CameraRig, type Insets, type Viewport } from './camera.ts';
 import { placeSlice } from './filters.ts';
 import type { MarkLayers } from './marks.ts';
 import { type ModelScene, planesOf } from './model-scene.ts';
+import { Motion } from './motion.ts';
 import type { Theme } from './palette.ts';
 import { Picker } from './picking.ts';
 import { type At, listenToPointer } from './pointer.ts';
@@ -38,6 +39,9 @@ export class Viewer {
   private marks: MarkLayers | null = null;
   private alone = false;
   private hovers = 0;
+  /** Device pixels per CSS pixel when nothing moves. */
+  private pixelRatio = 1;
+  private readonly motion = new Motion(() => this.invalidate());
 
   /** Throws where there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, events: ViewerEvents) {
@@ -48,6 +52,7 @@ export class Viewer {
     this.renderer.autoClear = false;
     this.rig = new CameraRig(canvas, () => {
       this.rig.aimAtAll();
+      this.motion.moved(Math.max(0, ...(this.model?.visible() ?? []).map(({ layer }) => layer.count)));
       this.invalidate();
       if (this.alone) return;
       this.told = this.rig.state();
@@ -101,8 +106,8 @@ export class Viewer {
 
   resize(width: number, height: number, pixelRatio: number): void {
     this.rig.size = { width, height };
-    this.renderer.setPixelRatio(pixelRatio);
-    this.renderer.setSize(width, height, false);
+    this.pixelRatio = pixelRatio;
+    this.setPixels(pixelRatio);
     this.replace();
   }
 
@@ -110,8 +115,11 @@ export class Viewer {
   invalidate(): void {
     if (this.requested) return;
     this.requested = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.requested = false;
+      this.motion.frame(now);
+      const ratio = this.pixelRatio * this.motion.share;
+      if (ratio !== this.renderer.getPixelRatio()) this.setPixels(ratio);
       this.draw();
     });
   }
@@ -138,14 +146,11 @@ export class Viewer {
   async picture(scale: number, transparent: boolean): Promise<Blob> {
     const { renderer } = this;
     const { width, height } = this.rig.size;
-    const ratio = renderer.getPixelRatio();
-    const fits = Math.min(scale, renderer.capabilities.maxTextureSize / (Math.max(width, height) * ratio));
-    renderer.setPixelRatio(ratio * fits);
-    renderer.setSize(width, height, false);
+    const most = renderer.capabilities.maxTextureSize / Math.max(width, height);
+    this.setPixels(Math.min(scale * this.pixelRatio, most));
     this.draw(transparent, true);
     const blob = await new Promise<Blob | null>((resolve) => this.canvas.toBlob(resolve, 'image/png'));
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
+    this.setPixels(this.pixelRatio);
     this.draw();
     if (!blob) throw new Error('The browser could not make a picture of this size: choose a smaller one.');
     return blob;
@@ -229,6 +234,12 @@ export class Viewer {
     if (!plain) rig.drawGizmo(renderer);
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
+  }
+
+  private setPixels(ratio: number): void {
+    const { width, height } = this.rig.size;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
   }
 
   /** After the free part of the canvas changed. */
