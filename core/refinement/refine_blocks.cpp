@@ -46,10 +46,11 @@ public:
   /// Throws OutOfTime.
   RefinedMesh<N> refine(const std::function<void(double)> &progress) {
     const Index count = blocks_.blockCount();
+    const Index atOnce = 1 + count / 100;
     const auto forBlocks = [&](double from, double share, auto work) {
       for (Index b = 0; b < count; ++b) {
         checkDeadline();
-        if (progress && b % 256 == 0) progress(from + share * b / count);
+        if (progress && b % atOnce == 0) progress(from + share * b / count);
         grid_.enter(b);
         work(b);
       }

@@ -115,6 +115,64 @@ describe('errors', () => {
   );
 });
 
+describe('a long refinement', () => {
+  const large = 29; // 80 × 29³ elements
+
+  it('shows its progress, and cancelled leaves what was shown', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    await page.evaluate(() => dualblock.openExample('protrusion', { step: 9, refine: 2 }));
+    await settle(page);
+    await page.evaluate((refine) => dualblock.view.set({ refine }), large);
+    await page.waitForSelector('#cancel');
+    expect(await page.textContent('.busy')).toContain('Refining');
+    await page.click('#cancel');
+    await page.waitForSelector('#cancel', { state: 'detached' });
+    expect(await page.textContent('#status')).toContain('Cancelled');
+    expect((await viewOf(page)).refine).toBe(2);
+    await setView(page, { refine: 3 });
+    expect(await page.evaluate(() => dualblock.stage.scene!.refinement!.refinement.intervals)).toBe(3);
+    // Where nothing was shown yet, the blocks are.
+    await page.evaluate((refine) => void dualblock.openExample('house', { step: 9, refine }), 2 * large);
+    await page.waitForSelector('#cancel');
+    await page.waitForFunction(() => dualblock.ui.state.refining !== null);
+    await page.click('#cancel');
+    await page.waitForSelector('#cancel', { state: 'detached' });
+    expect((await viewOf(page)).step).toBe(8);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
+  it('for a file shows its progress in the dialog, and cancelled writes none', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    await page.evaluate(() => dualblock.openExample('protrusion', { step: 8, refine: 29 }));
+    await settle(page);
+    const downloads: unknown[] = [];
+    page.on('download', (download) => downloads.push(download));
+    await page.keyboard.press('x');
+    await page.check('dialog input[type=checkbox] >> nth=1');
+    await page.click('[data-export=msh]');
+    await page.waitForSelector('#cancel-export');
+    expect(await page.isDisabled('[data-export=vtk]')).toBe(true);
+    await page.click('#cancel-export');
+    await page.waitForSelector('dialog [role=alert]');
+    expect(await page.textContent('dialog [role=alert]')).toContain('Cancelled');
+    expect(await page.isDisabled('[data-export=vtk]')).toBe(false);
+    expect(downloads).toEqual([]);
+    // While the text is written, too.
+    await page.click('[data-export=msh]');
+    await page.waitForFunction(() =>
+      document.querySelector('dialog .busy')?.textContent?.includes('Writing'),
+    );
+    await page.click('#cancel-export');
+    await page.waitForSelector('dialog [role=alert]');
+    expect(downloads).toEqual([]);
+    expectNoProblems(opened);
+    await page.close();
+  });
+});
+
 describe('a long run', () => {
   it('shows its progress and is cancelled at once, and what was shown stays', async () => {
     const opened = await host.open();

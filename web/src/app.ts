@@ -121,10 +121,12 @@ export class App {
   }
 
   cancel(): void {
-    if (!this.ui.state.busy) return;
-    this.turn++;
+    const { busy, refining } = this.ui.state;
+    if (!busy && refining === null) return;
+    if (busy) this.turn++;
     this.core.cancel();
-    this.setUi({ busy: null });
+    if (refining !== null) this.stage.backToShownRefinement();
+    this.setUi({ busy: null, refining: null });
     this.say('Cancelled. What was shown is still there.');
   }
 

@@ -52,7 +52,13 @@ interface Exporter {
   name: string;
   hint: string;
   allowed: (app: App) => boolean;
-  save: (app: App) => Promise<void>;
+  save: (app: App, work: Work) => Promise<void>;
+}
+
+/** An export under way: told what is being done (`done`: the share, null where nobody knows), and told when to stop. */
+export interface Work {
+  progress: (text: string, done: number | null) => void;
+  signal: AbortSignal;
 }
 
 const valid = ({ model }: App): boolean =>
@@ -60,13 +66,15 @@ const valid = ({ model }: App): boolean =>
 const any = ({ model }: App): boolean => model !== null;
 
 /** A file of pieces, with pauses for the page between them. */
-async function blobOf(pieces: Chunks | AsyncChunks): Promise<Blob> {
+async function blobOf(pieces: Chunks | AsyncChunks, { progress, signal }: Work): Promise<Blob> {
   const parts: (string | Uint8Array<ArrayBuffer>)[] = [];
   let since = performance.now();
   for await (const piece of pieces) {
     parts.push(piece);
     if (performance.now() - since < 30) continue;
+    progress('Writing', null);
     await new Promise((go) => setTimeout(go));
+    signal.throwIfAborted();
     since = performance.now();
   }
   return new Blob(parts);
@@ -78,16 +86,16 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
   name,
   hint,
   allowed: valid,
-  save: async (app) => {
+  save: async (app, work) => {
     const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
     const model = app.model!;
     const { result } = model;
     const refinement = refinementOf(app.view.state, result);
     const refined = app.ui.state.exportsElements
-      ? await app.core.elements(refineInput(result), refinement)
+      ? await app.core.elements(refineInput(result), refinement, (_, done) => work.progress('Refining', done))
       : null;
     const pieces = meshWriter(`mesh.${extension}`)(result, refined);
-    download(await blobOf(pieces), `${baseName(model)}.${extension}`);
+    download(await blobOf(pieces, work), `${baseName(model)}.${extension}`);
   },
 });
 

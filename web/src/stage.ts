@@ -16,6 +16,9 @@ import { Viewer } from './scene/viewer.ts';
 import type { Problem } from './state/ui-state.ts';
 import type { ViewState } from './state/view-state.ts';
 
+/** Milliseconds that need no sign of progress. */
+const unnoticed = 300;
+
 export class Stage {
   readonly viewer: Viewer;
   scene: ModelScene | null = null;
@@ -24,6 +27,8 @@ export class Stage {
   private problem: Problem | null = null;
   private handle: SliceHandle | null = null;
   private refining: { scene: ModelScene; refinement: string } | null = null;
+  /** What the refined mesh that is shown was asked for by. */
+  private shownBy: Pick<ViewState, 'refine' | 'intervals' | 'gradings'> | null = null;
   /** A refinement is under way: what is asked for meanwhile comes after it, and only the last of it. */
   private isRefining = false;
   private timer = 0;
@@ -51,6 +56,7 @@ export class Stage {
     this.scene?.dispose();
     this.scene = new ModelScene(model, this.theme);
     this.refining = null;
+    this.shownBy = null;
     this.problem = null;
     this.mark(marksInModel(model));
   }
@@ -170,13 +176,17 @@ export class Stage {
     if (this.app.ui.state.busy || this.isRefining) return;
     this.refining = mine;
     this.isRefining = true;
+    const began = performance.now();
     this.app.core
-      .refine(refineInput(result), refinement)
+      .refine(refineInput(result), refinement, (_, done) => {
+        if (performance.now() - began > unnoticed) this.app.setUi({ refining: done });
+      })
       .then((refined) => {
         if (this.refining !== mine) return;
         const layered = layeredBlocks(result);
         const block = refined.block.map((b) => layered[b]!);
         scene.setRefined({ ...refined, refinement, block });
+        this.shownBy = { refine: state.refine, intervals: state.intervals, gradings: state.gradings };
         this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
         this.show();
       })
@@ -188,8 +198,14 @@ export class Stage {
       })
       .finally(() => {
         this.isRefining = false;
+        this.app.setUi({ refining: null });
         if (this.refining) this.refine();
       });
+  }
+
+  /** After a refinement was cancelled: the view asks again for what is shown, or for the blocks. */
+  backToShownRefinement(): void {
+    this.app.view.set(this.shownBy ?? { step: 8, compare: null }, { silent: true });
   }
 
   private async placeHandle(): Promise<void> {

@@ -50,13 +50,13 @@ export class CoreClient {
   }
 
   /** Divides blocks, for drawing. Rejects like `run`. */
-  async refine(mesh: RefineInput, refinement: Refinement): Promise<RefinedCells> {
-    return this.ask({ kind: 'refine', mesh, refinement, whole: false }, 'refined');
+  async refine(mesh: RefineInput, refinement: Refinement, progress?: Progress): Promise<RefinedCells> {
+    return this.ask({ kind: 'refine', mesh, refinement, whole: false }, 'refined', progress);
   }
 
   /** Divides blocks, for a file. Rejects like `run`. */
-  async elements(mesh: RefineInput, refinement: Refinement): Promise<RefinedMesh> {
-    const answer = await this.ask({ kind: 'refine', mesh, refinement, whole: true }, 'elements');
+  async elements(mesh: RefineInput, refinement: Refinement, progress?: Progress): Promise<RefinedMesh> {
+    const answer = await this.ask({ kind: 'refine', mesh, refinement, whole: true }, 'elements', progress);
     return answer.mesh;
   }
 

@@ -47,12 +47,17 @@ async function answer(request: Request): Promise<void> {
 
 /** WebAssembly's memory never shrinks: after a large mesh the module goes, and another one comes when it is needed. */
 async function refine({
+  id,
   mesh,
   refinement,
   whole,
 }: Extract<Request, { kind: 'refine' }>): Promise<RefinedMesh> {
   refiner ??= Refiner.create();
-  const made = (await refiner).refine(mesh, refinement, null, whole ? mostElements : mostDrawn);
+  const share = whole ? 1 : 0.6; // the rest: what is drawn
+  const progress = (done: number): void => {
+    reply({ kind: 'progress', id, stage: 'refinement', done: share * done });
+  };
+  const made = (await refiner).refine(mesh, refinement, progress, whole ? mostElements : mostDrawn);
   if (made.quality.length > 200_000) refiner = null;
   return made;
 }

@@ -135,3 +135,17 @@ export function Swatch({ colour, second }: { colour: string; second?: string }) 
     />
   );
 }
+
+/** What is under way, and the way out of it. `done`: the share, null where nobody knows. */
+export function Busy(props: { text: string; done: number | null; id: string; onCancel: () => void }) {
+  const { text, done, id, onCancel } = props;
+  return (
+    <div class="busy">
+      <span>{text}</span>
+      <progress max={1} value={done ?? undefined} aria-label="Progress" />
+      <button type="button" id={id} onClick={onCancel}>
+        Cancel
+      </button>
+    </div>
+  );
+}

@@ -2,11 +2,11 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { actions } from '../actions.ts';
-import { download, exporters, pictureOf } from '../export.ts';
+import { download, exporters, pictureOf, type Work } from '../export.ts';
 import { elementCount, refinementOf } from '../model/final-mesh.ts';
 import { figures } from '../model/paper.ts';
 import type { Dialog as DialogName } from '../state/ui-state.ts';
-import { Check, Choice, Icon, IconButton } from './controls.tsx';
+import { Busy, Check, Choice, Icon, IconButton } from './controls.tsx';
 import { useApp, useUi } from './hooks.ts';
 
 export function Dialogs() {
@@ -166,16 +166,33 @@ function Export() {
   const [scale, setScale] = useState<'1' | '2' | '4'>('2');
   const [clear, setClear] = useState(false);
   const [failed, setFailed] = useState('');
+  const [working, setWorking] = useState<{ text: string; done: number | null } | null>(null);
+  const stop = useRef<AbortController | null>(null);
   const exportsElements = useUi((s) => s.exportsElements);
   const result = app.model?.result;
   const elements = result ? elementCount(result, refinementOf(app.view.state, result)) : 0;
-  const run = async (work: () => Promise<void>): Promise<void> => {
+  const run = async (work: (work: Work) => Promise<void>): Promise<void> => {
     setFailed('');
+    const mine = new AbortController();
+    stop.current = mine;
+    const began = performance.now();
     try {
-      await work();
+      await work({
+        signal: mine.signal,
+        progress: (text, done) => {
+          if (performance.now() - began > 300) setWorking({ text, done });
+        },
+      });
     } catch (error) {
-      setFailed(error instanceof Error ? error.message : String(error));
+      if (mine.signal.aborted) setFailed('Cancelled: no file was written.');
+      else setFailed(error instanceof Error ? error.message : String(error));
+    } finally {
+      setWorking(null);
     }
+  };
+  const cancel = (): void => {
+    stop.current?.abort();
+    app.core.cancel();
   };
   return (
     <>
@@ -212,8 +229,8 @@ function Export() {
             <button
               type="button"
               data-export={id}
-              disabled={!allowed(app)}
-              onClick={() => void run(() => save(app))}
+              disabled={!allowed(app) || working !== null}
+              onClick={() => void run((work) => save(app, work))}
             >
               {name}
             </button>
@@ -221,6 +238,7 @@ function Export() {
           </li>
         ))}
       </ul>
+      {working && <Busy {...working} id="cancel-export" onCancel={cancel} />}
       {failed && <p role="alert">{failed}</p>}
     </>
   );

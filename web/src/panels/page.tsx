@@ -3,7 +3,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { entityName } from '../model/model.ts';
 import type { SheetTab } from '../state/ui-state.ts';
 import { steps } from '../state/view-state.ts';
-import { Icon, IconButton } from './controls.tsx';
+import { Busy, Icon, IconButton } from './controls.tsx';
 import { Header } from './header.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 import { LeftPanel, leftTabs } from './left.tsx';
@@ -126,6 +126,7 @@ function CompareLabels() {
 function Status() {
   const app = useApp();
   const busy = useUi((s) => s.busy);
+  const refining = useUi((s) => s.refining);
   const notice = useUi((s) => s.notice);
   const shown = useRef<HTMLParagraphElement>(null);
   useEffect(() => {
@@ -137,16 +138,13 @@ function Status() {
   }, [notice]);
   return (
     <div class="status">
-      {busy && (
-        <div class="busy">
-          <span>
-            {busy.title}: {busy.stage}
-          </span>
-          <progress max={1} value={busy.done} aria-label="Progress" />
-          <button type="button" id="cancel" onClick={() => app.cancel()}>
-            Cancel
-          </button>
-        </div>
+      {(busy || refining !== null) && (
+        <Busy
+          text={busy ? `${busy.title}: ${busy.stage}` : 'Refining'}
+          done={busy ? busy.done : refining!}
+          id="cancel"
+          onCancel={() => app.cancel()}
+        />
       )}
       <p id="status" role="status" aria-live="polite" ref={shown}>
         {notice}

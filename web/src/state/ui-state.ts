@@ -22,6 +22,8 @@ export type SheetTab = LeftTab | 'explain' | 'selection';
 export interface UiState {
   /** A run under way. */
   busy: { title: string; stage: string; done: number } | null;
+  /** Step 9 waits for a large mesh: the share of the work done. */
+  refining: number | null;
   problem: Problem | null;
   /** The culprits of a problem are shown in place of the model. */
   showingProblem: boolean;
@@ -50,6 +52,7 @@ export interface UiState {
 
 export const initialUi: UiState = {
   busy: null,
+  refining: null,
   problem: null,
   showingProblem: false,
   notice: '',
