@@ -15,6 +15,7 @@
 namespace dualblock {
 namespace {
 
+// Marked noinline: the module is 1 kB (gzip) smaller if these are there once for each dimension.
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;     // then all components fall back

@@ -13,8 +13,8 @@ import {
 import { type CellSet, cellCenters } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
 import { type Cap, capsOf } from './caps.ts';
+import { cellMaterial } from './cell-material.ts';
 import { Layer, pointTexture, putPoints } from './layer.ts';
-import { cellMaterial } from './shaders.ts';
 
 export interface CellLayerOptions {
   kind: EntityKind;
