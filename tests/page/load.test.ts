@@ -63,6 +63,10 @@ it('draws fewer pixels of 973,360 elements while they are turned, and all of the
   // A software renderer draws here, which takes longer than a hand notices.
   expect(Math.min(...shares)).toBeCloseTo(0.6, 10);
   await page.waitForFunction(() => dualblock.stage.viewer.renderer.getPixelRatio() === devicePixelRatio);
+  // Only boundary elements are drawn; they are called by the numbers that they have in files.
+  const last = await page.evaluate(() => dualblock.stage.scene!.refinement!.cells.count - 1);
+  await setView(page, { selection: { kind: 'element', id: last } });
+  expect(await page.textContent('.selected')).toBe(`Refined element ${80 * 23 ** 3 - 1}`);
   expectNoProblems(opened);
   await page.close();
 });

@@ -4,7 +4,7 @@ import { DualblockError } from '../../wasm/io/errors.ts';
 import { formatOf } from '../../wasm/settings.ts';
 import { CoreClient, type RunAnswer } from './core/core-client.ts';
 import { type Example, exampleFile, fetchBytes, loadExamples } from './model/examples.ts';
-import type { Model } from './model/model.ts';
+import { entityName, type Model } from './model/model.ts';
 import { Stage } from './stage.ts';
 import { type SavedView, viewFromFragment, viewFromJson, viewToFragment, viewToJson } from './state/codec.ts';
 import { extractText } from './state/png.ts';
@@ -137,6 +137,12 @@ export class App {
   }
 
   // --- Views
+
+  /** What an entity of the shown model is called: its kind, and the number that it has in files too. */
+  nameOf(entity: Entity): string {
+    const dimension = this.model?.result.dimension ?? 3;
+    return entityName(entity, dimension, this.stage.scene?.refinement?.element);
+  }
 
   select(selection: Entity | null): void {
     const { state } = this.view;

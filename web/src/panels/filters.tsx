@@ -1,6 +1,5 @@
 // What of it is seen: slice and slab, peel, quality, hidden and isolated.
 import { deepest, toggleSlice } from '../actions.ts';
-import { entityName } from '../model/model.ts';
 import type { Axis, Slice } from '../state/view-state.ts';
 import { Check, Choice, Slider } from './controls.tsx';
 import { Histogram } from './histogram.tsx';
@@ -119,7 +118,7 @@ export function FiltersPanel() {
       <section aria-label="Hidden and isolated">
         <h3>Hidden and isolated</h3>
         <p class="hint">
-          {isolated ? `Isolated: ${entityName(isolated, dimension)}. ` : ''}
+          {isolated ? `Isolated: ${app.nameOf(isolated)}. ` : ''}
           {hidden.length > 0
             ? `${hidden.length} hidden.`
             : isolated

@@ -1,6 +1,5 @@
 // The page around the canvas.
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { entityName } from '../model/model.ts';
 import type { SheetTab } from '../state/ui-state.ts';
 import { steps } from '../state/view-state.ts';
 import { Busy, Icon, IconButton } from './controls.tsx';
@@ -207,7 +206,7 @@ function Tooltip() {
   if (!hover || !app.model) return null;
   return (
     <div class="tooltip" ref={ref} aria-hidden="true">
-      {entityName(hover.entity, app.model.result.dimension)}
+      {app.nameOf(hover.entity)}
     </div>
   );
 }

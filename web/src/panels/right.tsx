@@ -3,7 +3,7 @@ import { hideSelection, isolateSelection } from '../actions.ts';
 import { entityOf } from '../model/culprits.ts';
 import { checkTexts, describeEntity, explain } from '../model/explain.ts';
 import { refinementOf } from '../model/final-mesh.ts';
-import { entityCount, entityName, kindName, type Model } from '../model/model.ts';
+import { entityCount, type Model } from '../model/model.ts';
 import type { EntityKind, Step } from '../state/view-state.ts';
 import { Histogram } from './histogram.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
@@ -141,7 +141,6 @@ export function SelectionPanel() {
   useUi((s) => s.refinement);
   const { model } = app;
   if (!model) return null;
-  const { dimension } = model.result;
   const refinement = app.stage.scene?.refinement;
   const known =
     selection &&
@@ -152,7 +151,7 @@ export function SelectionPanel() {
       <h2 id="selection-title">Selection</h2>
       {known ? (
         <>
-          <p class="selected">{entityName(selection, dimension)}</p>
+          <p class="selected">{app.nameOf(selection)}</p>
           <dl class="counts">
             {describeEntity(model, selection, refinement?.block).map(([name, value]) => (
               <div key={name}>
@@ -229,12 +228,12 @@ function EntityList() {
           const [kind, id] = e.currentTarget.value.split(' ');
           const entity = { kind: kind as EntityKind, id: Number(id) };
           app.view.set({ selection: entity });
-          app.say(`${entityName(entity, dimension)} selected.`);
+          app.say(`${app.nameOf(entity)} selected.`);
         }}
       >
         {entries.map(({ kind, id, more }) => (
           <option key={`${kind} ${id}`} value={`${kind} ${id}`}>
-            {kindName(kind, dimension)} {id}
+            {app.nameOf({ kind, id })}
             {more}
           </option>
         ))}
