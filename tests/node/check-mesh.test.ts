@@ -4,7 +4,7 @@ import { toNumber } from '../../wasm/check/exact.ts';
 import { meshMeasure } from '../../wasm/check/measure.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
 import { altered, cells, findNode, grid } from './support/block-meshes.ts';
-import { check, failed, messages } from './support/check-domains.ts';
+import { check, failed, messages, skin } from './support/check-domains.ts';
 
 const bar = cells(grid(3, 1, 1));
 const brick = cells(grid(3, 3, 3));
@@ -173,6 +173,15 @@ describe('broken meshes', () => {
     const mesh = cells(grid(2, 2, 2).filter((low) => !['0,0,0', '1,1,1'].includes(low.join())));
     expect(failed(mesh)).toBe('topology');
     expect(messages(mesh)).toMatch(/^the blocks around node \d+ do not fill a ball or a half-ball$/);
+  });
+
+  it('the same is right where the domain has it, and only there', () => {
+    const mesh = cells(grid(2, 2, 2).filter((low) => !['0,0,0', '1,1,1'].includes(low.join())));
+    const right = check(mesh, skin(mesh)).findings;
+    expect(right.failures).toEqual([]);
+    expect(right.notes).toEqual([expect.stringMatching(/^the boundary touches itself at node \d+$/)]);
+    const wrong = check(mesh, skin(cells(grid(2, 2, 2)))).findings;
+    expect(wrong.verdicts).toMatchObject({ measure: false, facets: false });
   });
 
   it('two closed rings of blocks around one edge', () => {

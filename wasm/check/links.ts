@@ -1,13 +1,14 @@
 // The link of a node is what a small sphere around it sees of the mesh: a point for each edge, an arc for each face, a
 // triangle for each block (2D: points and arcs). The mesh is a manifold there if that is a sphere or, on the boundary,
-// a disc (2D: a circle or an arc): in one piece, also around each edge, and with the right Euler characteristic.
+// a disc (2D: a circle or an arc): in one piece, also around each edge, and with the right Euler characteristic. In 3D the
+// boundary of a domain may come back to a vertex: there the link is a sphere with several holes.
 import { type Complex, type FaceUse, pairsAround } from './complex.ts';
 import { DisjointSets } from './disjoint-sets.ts';
 import { entity, type Findings } from './findings.ts';
 import { blockCorners, blockCount, localEdges, localFaces, type Mesh } from './mesh.ts';
 
-/** Part of check "topology". */
-export function checkLinks(mesh: Mesh, complex: Complex, findings: Findings): void {
+/** Part of check "topology". `mayTouch`: whether the boundary may come back to a node. */
+export function checkLinks(mesh: Mesh, complex: Complex, mayTouch: boolean, findings: Findings): void {
   const corners = blockCorners(mesh.dimension);
   const atNode = fans(mesh, complex, corners, (block, face) =>
     (localFaces(mesh.dimension)[face] ?? []).map((corner) => ({
@@ -38,7 +39,7 @@ export function checkLinks(mesh: Mesh, complex: Complex, findings: Findings): vo
     const name = (edge: number): string => `the edge of nodes ${nodes(edge).join(' and ')}`;
     reportFans(atEdge, complex.edgesOfBlock, name, nodes, findings);
   }
-  checkEuler(mesh, complex, findings);
+  checkEuler(mesh, complex, mayTouch, findings);
 }
 
 /** The edges of each face of a hexahedron. */
@@ -87,7 +88,12 @@ function reportFans(
   });
 }
 
-function checkEuler(mesh: Mesh, { faces, edges, boundary, used }: Complex, findings: Findings): void {
+function checkEuler(
+  mesh: Mesh,
+  { faces, edges, boundary, used }: Complex,
+  mayTouch: boolean,
+  findings: Findings,
+): void {
   const euler = new Int32Array(used.length);
   const add = (node: number, by: number): void => {
     euler[node] = (euler[node] ?? 0) + by;
@@ -96,13 +102,47 @@ function checkEuler(mesh: Mesh, { faces, edges, boundary, used }: Complex, findi
   for (const node of mesh.blocks) add(node, flat ? -1 : 1);
   for (const [a] of faces) for (const node of a?.cycle ?? []) add(node, flat ? 1 : -1);
   if (!flat) for (const edge of edges) for (const node of edge) add(node, 1);
-  const onBoundary = new Uint8Array(used.length);
-  for (const { cycle } of boundary as FaceUse[]) for (const node of cycle) onBoundary[node] = 1;
+  const rims = rimsAround(used.length, boundary, flat);
   euler.forEach((found, node) => {
     if (!used[node]) return;
-    const wanted = onBoundary[node] ? 1 : flat ? 0 : 2;
-    if (found === wanted) return;
-    const what = flat ? 'a circle or an arc' : 'a ball or a half-ball';
-    findings.fail('topology', `the blocks around node ${node} do not fill ${what}`, entity('node', node));
+    const count = rims[node] ?? 0;
+    const wanted = flat ? Math.min(1, count) : 2 - count; // a sphere with so many holes
+    const touches = !flat && count > 1;
+    if (found !== wanted || (touches && !mayTouch)) {
+      const what = flat ? 'a circle or an arc' : 'a ball or a half-ball';
+      findings.fail('topology', `the blocks around node ${node} do not fill ${what}`, entity('node', node));
+    } else if (touches) findings.notes.push(`the boundary touches itself at node ${node}`);
   });
+}
+
+/** How many closed fans the boundary faces make around each node: 2 or more where the boundary comes back to it. */
+function rimsAround(nodes: number, boundary: readonly FaceUse[], flat: boolean): Int32Array {
+  const width = flat ? 2 : 4;
+  const fans = new DisjointSets(width * boundary.length);
+  const before = new Map<string, number>(); // for an edge and one of its nodes: the place of a face there
+  boundary.forEach(({ cycle }, face) => {
+    if (flat) return;
+    for (const [a, b] of pairsAround(cycle))
+      for (const [node, other] of [
+        [a, b],
+        [b, a],
+      ] as const) {
+        const key = `${node} ${other}`;
+        const place = width * face + cycle.indexOf(node);
+        const first = before.get(key);
+        if (first === undefined) before.set(key, place);
+        else fans.unite(first, place);
+      }
+  });
+  const rims = new Int32Array(nodes);
+  const seen = new Set<number>();
+  boundary.forEach(({ cycle }, face) => {
+    cycle.forEach((node, k) => {
+      const root = fans.find(width * face + k);
+      if (seen.has(root)) return;
+      seen.add(root);
+      rims[node] = (rims[node] ?? 0) + 1;
+    });
+  });
+  return rims;
 }

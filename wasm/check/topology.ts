@@ -6,13 +6,20 @@ import { checkLinks } from './links.ts';
 import { blockCount, type Mesh } from './mesh.ts';
 import type { Shape } from './shape.ts';
 
-/** The faces and edges of the mesh, and its shape. No block may name a node twice. */
-export function checkTopology(mesh: Mesh, findings: Findings): { complex: Complex; shape: Shape } {
+/**
+ * The faces and edges of the mesh, and its shape. No block may name a node twice. `mayTouch`: whether the boundary may
+ * come back to a node.
+ */
+export function checkTopology(
+  mesh: Mesh,
+  mayTouch: boolean,
+  findings: Findings,
+): { complex: Complex; shape: Shape } {
   findings.begin('topology');
   const complex = buildComplex(mesh);
   checkFaces(complex.faces, findings);
   checkBoundary(complex.boundary, findings);
-  checkLinks(mesh, complex, findings);
+  checkLinks(mesh, complex, mayTouch, findings);
   return { complex, shape: shapeOf(mesh, complex) };
 }
 

@@ -1,5 +1,6 @@
 // The checker's domains by hand, and what it says of a mesh against one of them.
 import { checkMesh, defaultCheckSettings } from '../../../wasm/check/check.ts';
+import { buildComplex } from '../../../wasm/check/complex.ts';
 import type { Domain } from '../../../wasm/check/domain.ts';
 import { checkNames } from '../../../wasm/check/findings.ts';
 import type { Mesh } from '../../../wasm/check/mesh.ts';
@@ -27,6 +28,14 @@ export const messages = (mesh: Mesh, domain: Domain | null = null): string =>
   check(mesh, domain)
     .findings.failures.map(({ message }) => message)
     .join('\n');
+
+/** The domain that a mesh of cubes fills: each boundary face a facet. */
+export function skin(mesh: Mesh): Domain {
+  const points = Array.from({ length: mesh.points.length / 3 }, (_, node) => [
+    ...mesh.points.subarray(3 * node, 3 * node + 3),
+  ]);
+  return solid({ points, facets: buildComplex(mesh).boundary.map(({ cycle }) => [...cycle]) });
+}
 
 export const square = (x: number, y: number, size: number): number[][] => [
   [x, y],
