@@ -191,6 +191,10 @@ template <int N> double domainMeasure(const BlockInput<N> &in, double &surface) 
   return sum;
 }
 
+/// What uneven facets may make of the domain's measure, as a share of it: beyond, nothing is shown by
+/// agreement.
+constexpr double kMostAllowed = 0.01;
+
 std::string scientific(double x) {
   char text[32]; // a stream would bring 28 kB (gzip) of locales into the module
   std::snprintf(text, sizeof text, "%.3g", x);
@@ -247,6 +251,11 @@ template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certif
   certificate.domainMeasure = domainMeasure(in, surface);
   certificate.meshMeasure = sum;
   const double allowed = 1e-10 * std::abs(certificate.domainMeasure) + 2 * in.facetDeviation * surface;
+  if (allowed > kMostAllowed * std::abs(certificate.domainMeasure))
+    certificate.fail(Check::geometry, "facets are up to " + scientific(in.facetDeviation) +
+                                          " off their planes, too much for so thin a domain of " +
+                                          scientific(certificate.domainMeasure) +
+                                          (N == 2 ? " (area)" : " (volume)") + ": give a smaller tolerance");
   certificate.isExact = std::abs(sum - certificate.domainMeasure) <= allowed;
   if (!certificate.isExact && !isBent(in))
     certificate.fail(Check::geometry, "the blocks' " + std::string(N == 2 ? "areas" : "volumes") +

@@ -142,6 +142,7 @@ Result<PreparedDomain<2>> prepareDomain(const Domain<2> &given, double tolerance
       prepared.domain.facets.push_back(
           {{{loop.vertices[at(kept[k])], loop.vertices[at(kept[(k + 1) % kept.size()])]}}});
   }
+  prepared.deviation = coordinateRounding(given);
   compactVertices(prepared);
   return prepared;
 }

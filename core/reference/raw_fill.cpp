@@ -102,16 +102,22 @@ Result<RawFill<2>> fillByTetgen(const Domain<2> &domain, double) {
     } while (domain.facets[end - 1].loops[0][1] != loop.front());
     (polygonArea2(polygon) > 0 ? facets[0].loops : inner).push_back(std::move(loop));
   }
-  // Several outer loops would be taken for holes of the first: give each its own base facet.
-  const std::vector<std::vector<Index>> outer = std::move(facets[0].loops);
+  // Several outer loops would be taken for holes of the first: give each its own base facet. A hole belongs
+  // to the smallest of those around it; the others have more than that between them and it.
   std::vector<Facet> bases;
-  for (const auto &loop : outer) {
-    Facet base{{loop}};
-    std::vector<Vec<2>> polygon;
-    for (const Index v : loop) polygon.push_back(domain.vertices[at(v)]);
-    for (const auto &hole : inner)
-      if (insidePolygon(polygon, domain.vertices[at(hole[0])])) base.loops.push_back(hole);
-    bases.push_back(std::move(base));
+  std::vector<std::vector<Vec<2>>> outlines;
+  for (auto &loop : facets[0].loops) {
+    auto &outline = outlines.emplace_back();
+    for (const Index v : loop) outline.push_back(domain.vertices[at(v)]);
+    bases.push_back({{std::move(loop)}});
+  }
+  for (auto &hole : inner) {
+    std::size_t owner = outlines.size();
+    for (std::size_t o = 0; o < outlines.size(); ++o)
+      if (insidePolygon(outlines[o], domain.vertices[at(hole[0])]) &&
+          (owner == outlines.size() || polygonArea2(outlines[o]) < polygonArea2(outlines[owner])))
+        owner = o;
+    if (owner < outlines.size()) bases[owner].loops.push_back(std::move(hole));
   }
   facets.erase(facets.begin());
   facets.insert(facets.begin(), bases.begin(), bases.end());

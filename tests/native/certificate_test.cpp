@@ -301,6 +301,33 @@ TEST(Certificate, FeaturesCurveLost) {
 
 // Counts of blocks around features, where they are not the ideal: an octahedron's curves lie at 109 degrees
 // and get one block; a pyramid's cut curves get two where one is ideal.
+TEST(Certificate, DomainHardlyThickerThanFacetsArePlanar) {
+  // Walls so oblique that they lie in the bottom's plane within the tolerance: merged, they would leave a
+  // domain of another volume, which agrees with its blocks within what the facets are off their planes.
+  Domain<3> domain = prism({{0.000000, 0.000000},
+                            {0.246704, 1.186728},
+                            {-0.310951, 1.891194},
+                            {-0.434303, 1.297830},
+                            {-0.991958, 2.002296},
+                            {-1.115310, 1.408933}},
+                           0, 0);
+  const std::vector<double> heights{0.0000000000, 0.0015908535,  0.0011518226,
+                                    0.0003563959, -0.0000826350, -0.0008780617};
+  for (std::size_t v = 0; v < 12; ++v) {
+    domain.vertices[v].z = heights[v % 6];
+    if (v >= 6) domain.vertices[v] += Vec<3>{-0.00082086, -0.00038942, 4.1779e-07};
+  }
+  const PipelineResult<3> merged = run(domain);
+  EXPECT_FALSE(merged.certificate.valid);
+  EXPECT_NE(failuresOf(merged.certificate).find("too much for so thin a domain"), std::string::npos)
+      << failuresOf(merged.certificate);
+  PipelineOptions finer;
+  finer.tolerance = 1e-9;
+  const PipelineResult<3> exact = run(domain, finer);
+  EXPECT_TRUE(exact.certificate.valid) << failuresOf(exact.certificate);
+  EXPECT_NEAR(exact.certificate.meshMeasure, 3e-6, 1e-10); // six digits of the heights
+}
+
 TEST(Certificate, ReportsTheBlocksAroundCurves) {
   const auto octahedron = run(loadExample<3>("double_pyramid"));
   for (const FeatureCount &f : octahedron.certificate.features) EXPECT_EQ(f.ideal, 1);

@@ -1,6 +1,9 @@
 // The preparation of domains: what is refused, what is repaired, what is merged.
 #include "domain/prepare.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "support/examples.h"
@@ -55,6 +58,38 @@ TEST(Prepare2d, DropsVerticesOnStraightLinesAndTurnsLoops) {
 
 // A given reference mesh may be off the facets by rounding: its nodes on facets, not the facets, then carry
 // the blocks, and the certificate's tolerances must know.
+TEST(Prepare2d, HolesBelongToTheNearestLoopAround) {
+  // Squares of 10, 8, 6, 4 and 2 in one another, each turned a little: islands in holes in islands.
+  std::vector<Vec<2>> vertices;
+  std::vector<std::vector<Index>> loops;
+  for (int k = 0; k < 5; ++k) {
+    const double side = 10 - 2 * k;
+    auto &loop = loops.emplace_back();
+    for (const auto &[x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      loop.push_back(toIndex(vertices.size()));
+      vertices.push_back(side / 2 * Vec<2>{x - 0.05 * k * y, y + 0.05 * k * x});
+    }
+  }
+  const PipelineResult<2> result = test::run(plane(vertices, loops));
+  EXPECT_TRUE(result.certificate.valid) << test::failuresOf(result.certificate);
+  double area = 0;
+  for (int k = 0; k < 5; ++k) area += (k % 2 ? -1 : 1) * (10 - 2 * k) * (10 - 2 * k) * (1 + 0.0025 * k * k);
+  EXPECT_NEAR(result.certificate.meshMeasure, area, 1e-12);
+}
+
+TEST(Prepare2d, MayBeFarFromTheOrigin) {
+  std::vector<Vec<2>> vertices;
+  std::vector<Index> loop;
+  for (int k = 0; k < 9; ++k) {
+    loop.push_back(toIndex(vertices.size()));
+    vertices.emplace_back(1e7 + std::cos(2 * std::numbers::pi * k / 9),
+                          -1e7 + std::sin(2 * std::numbers::pi * k / 9));
+  }
+  const PipelineResult<2> result = test::run(plane(vertices, {loop}));
+  EXPECT_TRUE(result.certificate.valid) << test::failuresOf(result.certificate);
+  EXPECT_EQ(result.primal.blocks.size(), 9U);
+}
+
 TEST(GivenReference, MayBeOffTheFacetsByRounding) {
   auto domain = test::loadExample<2>("square_2d_second");
   for (std::size_t v = 0; v < domain.vertices.size(); ++v) {
