@@ -194,7 +194,7 @@ export function describe(report: Report): string {
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
     mesh.extracted.length + mesh.inserted > 0
-      ? `  ${mesh.extracted.length} D̄-surfaces extracted, ${mesh.inserted} inserted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
+      ? `  ${mesh.extracted.length} D̄-surface(s) extracted, ${mesh.inserted} inserted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     describeObjective(parts.objective),

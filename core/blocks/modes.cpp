@@ -68,7 +68,9 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
     CoarsenOptions<N> coarsenOptions;
     const std::vector<double> quality = qualityOf(blocks);
     coarsenOptions.floor = std::min(kGood, kShare * *std::min_element(quality.begin(), quality.end()));
-    const double allowed = kLessExact * errorOf(certificate) + 1e-9 * std::abs(certificate.domainMeasure);
+    // What was extracted by hand may have cost more than that already.
+    const double allowed = std::max(kLessExact * errorOf(certificate), errorOf(certified(blocks))) +
+                           1e-9 * std::abs(certificate.domainMeasure);
     coarsenOptions.isValid = [&](const BlockMesh<N> &mesh) {
       const Certificate c = certified(mesh);
       return c.valid && errorOf(c) <= allowed;

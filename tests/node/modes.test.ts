@@ -83,6 +83,12 @@ describe('the coarsest mesh', () => {
 });
 
 describe('extraction by name', () => {
+  it('that costs some of a bent side lets the others go all the same', () => {
+    const blocks = (extract: number[]): number =>
+      runExample(core, 'plate_with_hole', { mode: 'coarsest', extract }).mesh!.quality.length;
+    expect(blocks([11])).toBeLessThan(blocks([]));
+  });
+
   it('takes the layers of the surfaces away, in their order', () => {
     const { mesh: whole } = runExample(core, 'square_ring', { mode: 'coarsest' });
     const extract = Array.from(whole?.extracted.subarray(0, 3) ?? []);

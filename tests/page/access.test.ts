@@ -44,6 +44,24 @@ async function serious(page: Page): Promise<string[]> {
 }
 
 describe('by keyboard alone', () => {
+  it('keys work from tabs and sliders, which keep those that move them', async () => {
+    const opened = await host.open();
+    const { page } = opened;
+    await page.click('[role=tab]:has-text("Mesh")');
+    await page.keyboard.press('9');
+    expect((await viewOf(page)).step).toBe(9);
+    const slider = page.locator('input[type=range]:visible').first();
+    await slider.focus();
+    const before = await slider.inputValue();
+    await page.keyboard.press('ArrowRight');
+    expect(await slider.inputValue()).not.toBe(before);
+    expect((await viewOf(page)).step).toBe(9);
+    await page.keyboard.press('8');
+    expect((await viewOf(page)).step).toBe(8);
+    expectNoProblems(opened);
+    await page.close();
+  });
+
   it('the whole tour', async () => {
     const opened = await host.open();
     const { page } = opened;

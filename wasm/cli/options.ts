@@ -78,7 +78,7 @@ export function helpText(): string {
     '       dualblock --check MESH [DOMAIN | --example NAME] [--report FILE|-]',
     '',
     'INPUT and DOMAIN, by extension: .json .off .stl .obj .ply .poly .smesh',
-    'OUTPUT, by extension: .vtk .vtu .msh .mesh .inp .json, and blockMeshDict by its name',
+    'OUTPUT, by extension: .vtk .vtu .msh .mesh .inp .cgns .json, and blockMeshDict by its name',
     'MESH, by extension: .vtk .vtu .msh .mesh .json',
     '',
     ...rows,

@@ -311,11 +311,11 @@ export class App {
     this.view.set(next, { silent });
     this.stage.refresh();
     this.setUi({ model: this.ui.state.model + 1 });
-    const { certificate, primal, onlyMatching } = model.result;
+    const { certificate, mesh, primal, onlyMatching } = model.result;
     this.say(
       onlyMatching
         ? `${model.title}: the matching rules ${certificate.valid ? 'hold' : 'are broken'}.`
-        : `${model.title}: ${primal.quality.length} blocks, ${certificate.valid ? 'certified valid' : 'NOT valid'}.`,
+        : `${model.title}: ${(mesh ?? primal).quality.length} blocks, ${certificate.valid ? 'certified valid' : 'NOT valid'}.`,
     );
   }
 

@@ -54,9 +54,11 @@ function listen(app: App): void {
     if (event.defaultPrevented || app.ui.state.dialog) return;
     const target = event.target as HTMLElement;
     const own = target.closest('input, select, textarea, [role="tablist"]');
-    const always =
-      (event.ctrlKey || event.metaKey) && !(own instanceof HTMLInputElement && own.type === 'number');
-    if (own && !always && event.key !== 'Escape') return;
+    const types = own?.matches('input[type="number"], input[type="text"], select, textarea');
+    // Sliders, boxes and tabs keep the keys that move or switch them.
+    const moves = /^(Arrow|Page|Home|End|Enter| )/.test(event.key);
+    const always = (event.ctrlKey || event.metaKey) && !own?.matches('input[type="number"]');
+    if (own && (types || moves) && !always && event.key !== 'Escape') return;
     if (event.key === ' ' && target.closest('button, a')) return;
     if (runKey(app, event)) event.preventDefault();
   });

@@ -57,7 +57,7 @@ function Blocks() {
       />
       <p class="hint">
         {mesh
-          ? `${mesh.extracted.length} D̄-surfaces extracted, ${mesh.inserted.length / 2} inserted, ${mesh.quality.length} block(s): step 9 shows them, and files hold them.`
+          ? `${mesh.extracted.length} D̄-surface(s) extracted, ${mesh.inserted.length / 2} inserted, ${mesh.quality.length} block(s): step 9 shows them, and files hold them.`
           : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
       </p>
       {extract.length > 0 && (
