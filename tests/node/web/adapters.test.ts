@@ -1,6 +1,8 @@
 // Layers as the adapters make them, without a picture: what they hold, in which colours, and what is drawn of it.
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../../wasm/dualblock.ts';
+import { type Refiner, refineInput } from '../../../wasm/refine.ts';
+import { displayRefined } from '../../../web/src/display/blocks.ts';
 import { displayOf } from '../../../web/src/display/display.ts';
 import type { Model } from '../../../web/src/model/model.ts';
 import { surfacesOfContribution } from '../../../web/src/model/provenance.ts';
@@ -10,11 +12,13 @@ import type { PointLayer, SegmentLayer } from '../../../web/src/scene/instanced-
 import { ModelScene } from '../../../web/src/scene/model-scene.ts';
 import { featurePalette, hardRed, qualityColour, softBlue, themes } from '../../../web/src/scene/palette.ts';
 import { defaultState, type LayerId, type ViewState } from '../../../web/src/state/view-state.ts';
-import { runExample, startCore } from '../support/core.ts';
+import { runExample, startCore, startRefiner } from '../support/core.ts';
 
 let core: Dualblock;
+let refiner: Refiner;
 beforeAll(async () => {
   core = await startCore();
+  refiner = await startRefiner();
 });
 
 function model(name: string): Model {
@@ -158,6 +162,14 @@ describe('what is drawn', () => {
     expect(shown(8, { quality: [2, 2] as never })).toMatchObject({ blocks: 0 });
     expect(shown(8, { solo: { 8: 'nodes' } })).toEqual({ nodes: 27 });
     expect(shown(5, { surfaces: 'soft' })).toMatchObject({ surfaces: 0 });
+    // Blocks' edges are not left behind where elements are gone or moved.
+    const refined = refiner.refine(refineInput(m.result), { intervals: 2 });
+    const refinement = { intervals: 2, size: 0, ofSurface: [], gradings: [] };
+    scene.setRefined({ ...displayRefined(3, refined), refinement });
+    expect(shown(9)).toEqual({ refined: 56, outline: 54 });
+    const slice = { axis: 'x', normal: [1, 0, 0], offset: 0, slab: null, capped: false } as const;
+    for (const patch of [{ shrink: 0.8 }, { explode: 0.3 }, { peel: 1 }, { slice } as never])
+      expect(shown(9, patch)).not.toHaveProperty('outline');
     scene.dispose();
   });
 });

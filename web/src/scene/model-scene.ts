@@ -31,6 +31,16 @@ interface Entry {
   shown: string;
 }
 
+/** Whether all entities are there, where they belong. */
+const isWhole = (state: ViewState, step: Step): boolean =>
+  shrinkOf(state, step) === 1 &&
+  explodeOf(state, step) === 0 &&
+  state.slice === null &&
+  state.peel === 0 &&
+  state.quality === null &&
+  state.hidden.length === 0 &&
+  state.isolated === null;
+
 export class ModelScene {
   readonly object = new Group();
   readonly model: Model;
@@ -115,7 +125,9 @@ export class ModelScene {
     const plane = state.slice ? placeSlice(state.slice, this.model.display.box) : null;
     for (const id of layerIds) {
       const { visible: wanted, opacity } = layerSetting(state, step, id, this.model.display.dimension);
-      const visible = wanted && !(id === 'edges' && round !== null); // they are where the nodes are at last
+      // Edges are where the nodes are at last; blocks' edges would float where elements are gone or moved apart.
+      const isInPlace = (id !== 'edges' || round === null) && (id !== 'outline' || isWhole(state, step));
+      const visible = wanted && isInPlace;
       const entry = visible ? this.entry(id) : this.entries.get(id);
       if (!entry) continue;
       entry.layer.object.visible = visible;
