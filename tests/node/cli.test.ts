@@ -204,6 +204,14 @@ describe('words', () => {
     expect(dualblock('--help').stdout).toMatch(/usage: dualblock INPUT/);
   });
 
+  it('progress is a line for each stage, off a terminal', () => {
+    const { stderr } = dualblock('--example', 'notched_cube', '--refine', '3');
+    const stages = stderr.trim().split('\n');
+    expect(stages.at(-1)).toBe('refinement');
+    expect(stages.filter((stage) => stage === 'refinement')).toHaveLength(1);
+    expect(stages.some((stage, k) => stage === stages[k + 1])).toBe(false);
+  });
+
   it('--quiet leaves standard error empty', () => {
     expect(dualblock('--example', 'square_2d', '--quiet').stderr).toBe('');
   });

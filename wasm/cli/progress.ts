@@ -6,7 +6,14 @@ const barWidth = 24;
 /** `update` goes to the core; `end` clears the bar. */
 export function makeProgress(quiet: boolean): { update: Progress | null; end: () => void } {
   if (quiet) return { update: null, end: () => {} };
-  if (!process.stderr.isTTY) return { update: (stage) => process.stderr.write(`${stage}\n`), end: () => {} };
+  if (!process.stderr.isTTY) {
+    let last = '';
+    const update: Progress = (stage) => {
+      if (stage !== last) process.stderr.write(`${stage}\n`);
+      last = stage;
+    };
+    return { update, end: () => {} };
+  }
   return {
     update: (stage, done) => {
       const filled = Math.round(done * barWidth);
