@@ -63,6 +63,9 @@ it('draws fewer pixels of 973,360 elements while they are turned, and all of the
   // A software renderer draws here, which takes longer than a hand notices.
   expect(Math.min(...shares)).toBeCloseTo(0.6, 10);
   await page.waitForFunction(() => dualblock.stage.viewer.renderer.getPixelRatio() === devicePixelRatio);
+  expect(await page.textContent('.panel.right .hint')).toMatch(
+    /only those at the boundary are drawn, 70,300:/,
+  );
   // Only boundary elements are drawn; they are called by the numbers that they have in files.
   const last = await page.evaluate(() => dualblock.stage.scene!.refinement!.cells.count - 1);
   await setView(page, { selection: { kind: 'element', id: last } });

@@ -25,8 +25,10 @@ export function ExplainPanel() {
   const step = useView((s) => s.step);
   const state = useView((s) => (s.step === 9 ? s : null));
   useUi((s) => s.model);
+  useUi((s) => s.refinement);
   const { model } = app;
   if (!model) return <p class="hint">Nothing is loaded yet.</p>;
+  const drawn = step === 9 ? app.stage.scene?.refinement?.element : null;
   const { text, section, counts, invariant } = explain(
     model,
     step,
@@ -50,6 +52,12 @@ export function ExplainPanel() {
           </div>
         ))}
       </dl>
+      {drawn && (
+        <p class="hint">
+          Of so many elements only those at the boundary are drawn, {drawn.length.toLocaleString('en')}: a
+          slice shows them as a shell.
+        </p>
+      )}
       {invariant && <p class={model.result.certificate.valid ? 'invariant' : 'invariant bad'}>{invariant}</p>}
       {step >= 8 && <Histogram />}
       <CertificatePanel />
