@@ -101,7 +101,9 @@ describe('the coarsest mesh', () => {
     await page.getByRole('button', { name: 'Coarsest', exact: true }).click();
     await settle(page);
     expect([await blocks(page), await elements(page)]).toEqual([64, 8]);
-    expect(await page.getByLabel('Blocks', { exact: true }).textContent()).toMatch(/9 D̄-surface\(s\).*8 block/);
+    expect(await page.getByLabel('Blocks', { exact: true }).textContent()).toMatch(
+      /9 D̄-surface\(s\).*8 block/,
+    );
     expect((await viewOf(page)).reference.mode).toBe('coarsest');
 
     // A block of the final mesh is the layered one's that was left.
