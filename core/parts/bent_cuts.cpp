@@ -95,10 +95,26 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   return proposal;
 }
 
+/// Square to a curve where it turns sharply between two sides, so that a third one meets them there.
+std::optional<Proposal> throughKink(const PartView &v, const Corner &kink) {
+  Vec<3> tangent{0.0};
+  for (const Curve<3> *curve : v.curves) {
+    if (curve->sides[0] != kink.sides[0] || curve->sides[1] != kink.sides[1]) continue;
+    for (const auto &[a, b] : curve->ridges) {
+      if (a != kink.node && b != kink.node) continue;
+      const Vec<3> away = glm::normalize(v.node(a == kink.node ? b : a) - v.node(kink.node));
+      tangent = away - tangent; // of two ridges: from the one to the other
+    }
+  }
+  if (glm::length(tangent) == 0) return std::nullopt;
+  return Proposal{planeSurface(v.node(kink.node), tangent), {kink.node}};
+}
+
 /// Half way between two corners where the same sides meet.
 std::optional<Proposal> betweenCorners(const PartView &v) {
   std::map<std::vector<Index>, const Corner *> known;
   for (const Corner *corner : v.corners) {
+    if (corner->sides.size() < 3) continue;
     const auto [other, isNew] = known.try_emplace({corner->sides.begin(), corner->sides.end()}, corner);
     if (isNew) continue;
     const Vec<3> a = v.node(other->second->node);
@@ -204,6 +220,8 @@ std::vector<Proposal> proposals(const PartView &v) {
   sortItems(loops, [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
   for (const Loop &loop : loops)
     for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
+  for (const Corner *corner : v.corners)
+    if (corner->sides.size() < 3) add(throughKink(v, *corner));
   add(betweenCorners(v));
   for (const Index *side = first; side != last; ++side)
     if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side)) add(acrossArc(v, *side));

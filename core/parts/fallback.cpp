@@ -7,6 +7,7 @@ template <int N> class Mixer {
 public:
   Mixer(const ReferenceMesh<N> &cut, const std::vector<PartSource> &source) : source_(source) {
     result.mesh.size = cut.size;
+    result.mesh.smoothCosine = cut.smoothCosine;
     result.mesh.componentCount = cut.componentCount;
     result.mesh.surfaces = cut.surfaces; // all meshes number the domain's facets alike
     if (cut.surfaces.back().kind != SurfaceKind::simplexFace)

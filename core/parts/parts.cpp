@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "parts/kinks.h"
 
 namespace dualblock {
 namespace {
@@ -185,7 +186,8 @@ void buildCurves(const ReferenceMesh<N> &mesh, const BoundaryFaces<N> &boundary,
   }
 }
 
-template <int N> void buildCorners(Parts<N> &parts, FeatureStore<N> &store) {
+template <int N> void buildCorners(const ReferenceMesh<N> &mesh, Parts<N> &parts, FeatureStore<N> &store) {
+  const std::vector<Kink> kinks = findKinks(mesh, parts);
   store.cornerSides = parts.nodeSides.items;
   for (Index node = 0; node < parts.nodeSides.count(); ++node) {
     const Index *list = store.cornerSides.data() + parts.nodeSides.offsets[at(node)];
@@ -194,7 +196,8 @@ template <int N> void buildCorners(Parts<N> &parts, FeatureStore<N> &store) {
       const Index part = parts.sides[at(*list)].part;
       const Index *next = list;
       while (next != last && parts.sides[at(*next)].part == part) ++next;
-      if (next - list >= N) parts.corners.push_back({part, node, {list, next}});
+      if (next - list >= N || std::binary_search(kinks.begin(), kinks.end(), Kink{node, part}))
+        parts.corners.push_back({part, node, {list, next}});
       list = next;
     }
   }
@@ -256,7 +259,8 @@ void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::ve
   }
   for (const Corner &corner : parts.corners) {
     ++euler[at(corner.part)];
-    if (corner.sides.size() != N) blame(corner.part, "more sides meet at a corner than there are dimensions");
+    if (corner.sides.size() > N) blame(corner.part, "more sides meet at a corner than there are dimensions");
+    if (corner.sides.size() < N) blame(corner.part, "a curve turns sharply where only two sides meet");
   }
   for (std::size_t p = 0; p < euler.size(); ++p)
     if (euler[p] != (N == 3 ? 2 : 0)) blame(toIndex(p), "it is not a ball");
@@ -368,7 +372,7 @@ Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
 
   const auto store = std::make_shared<FeatureStore<N>>();
   buildCurves(mesh, boundary, sideOf, earlier, parts, *store);
-  buildCorners(parts, *store);
+  buildCorners(mesh, parts, *store);
   parts.store = store;
   linkOpposites(mesh, parts, boundary, sideOf);
   judgeParts(parts, boundary, sideOf, earlier);

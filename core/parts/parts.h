@@ -41,7 +41,7 @@ template <int N> struct Curve {
 /// it.
 inline constexpr double kFlatAngle = 170 * std::numbers::pi / 180;
 
-/// A node where at least N sides of a part meet.
+/// A node where at least N sides of a part meet, or two in a curve that turns sharply there.
 struct Corner {
   Index part;
   Index node;

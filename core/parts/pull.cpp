@@ -138,6 +138,7 @@ PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Apex w
   result.simplified.assign(at(mesh.componentCount), 0);
   ReferenceMesh<3> &out = result.mesh;
   out.size = mesh.size;
+  out.smoothCosine = mesh.smoothCosine;
   out.surfaces = mesh.surfaces;
   out.componentCount = mesh.componentCount;
   const Index inner = toIndex(out.surfaces.size());

@@ -10,6 +10,7 @@ namespace dualblock {
 void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle) {
   const double angle = featureAngle < 0 ? kSmoothAngle : featureAngle;
   const double leastCosine = std::cos(angle * std::numbers::pi / 180);
+  mesh.smoothCosine = leastCosine;
   DisjointSets sets(mesh.surfaces.size());
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {

@@ -63,7 +63,8 @@ template <int N> struct ReferenceMesh {
   Index componentCount = 0;
   std::vector<Index> nodeSimplex; // per node: one simplex that has it
   std::vector<Surface<N>> surfaces;
-  double size = 0; // diagonal of the domain's bounding box: the scale of all tolerances
+  double size = 0;         // diagonal of the domain's bounding box: the scale of all tolerances
+  double smoothCosine = 1; // of the feature angle: curves of bent sides that turn by as much keep a vertex
 
   Index simplexCount() const { return toIndex(simplices.size()); }
   Index nodeCount() const { return toIndex(nodes.size()); }

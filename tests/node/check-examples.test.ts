@@ -118,6 +118,25 @@ describe('meshes of assemblies, contacts and curved solids', () => {
     Math.cos((Math.PI * k) / 12),
     Math.sin((Math.PI * k) / 12),
   ]);
+  /** A lens: its rim's ends are corners of two sides, and a ridge goes up from each and fades out. */
+  const lens = (): Solid => {
+    const [around, rings] = [24, 5];
+    const points = Array.from({ length: around * rings + 1 }, (_, i) => {
+      const [turn, height] = [(Math.PI * (i % around)) / (around / 2), Math.floor(i / around) / rings];
+      const bulge = Math.sin(turn) * 0.5 * (1 - 0.4 * Math.cos(2 * turn));
+      const shrunk = Math.cos((height * Math.PI) / 2);
+      const side = Math.acos(Math.cos(turn)) / Math.PI; // 0 to 1, there and back
+      return [shrunk * (1 - 2 * side), shrunk * bulge, 0.5 * Math.sin((height * Math.PI) / 2)];
+    });
+    const facets = [Array.from({ length: around }, (_, k) => around - 1 - k)];
+    for (let r = 0; r < rings; r++)
+      for (let k = 0; k < around; k++) {
+        const [a, b] = [r * around + k, r * around + ((k + 1) % around)];
+        if (r + 1 === rings) facets.push([a, b, around * rings]);
+        else facets.push([a, b, b + around], [a, b + around, a + around]);
+      }
+    return { points, facets };
+  };
   const cubes = (x: number[]): Solid =>
     together(
       box([0, 0, 0], [1, 1, 1]),
@@ -126,14 +145,28 @@ describe('meshes of assemblies, contacts and curved solids', () => {
         x.map((v) => v + 1),
       ),
     );
+  const columnAndBox = together(
+    box([0, 0, 0], [1, 1, 1]),
+    ...[0, 1, 2].map((z) => box([1, 1, z], [2, 2, z + 1])),
+  );
+  const placeOf = (loop: number[]): string =>
+    loop
+      .map((i) => columnAndBox.points[i]?.join())
+      .sort()
+      .join(' ');
+  columnAndBox.facets = columnAndBox.facets.filter(
+    (facet, _, all) => all.filter((other) => placeOf(other) === placeOf(facet)).length === 1,
+  );
   const regions = [{ point: [1.5, 1.5, 1.5], id: 3 }];
   const nested = together(box([0, 0, 0], [4, 4, 4]), box([1, 1, 1], [2, 2, 2]));
   it.each<[string, string, string[], boolean | null]>([
     ['two boxes that share a facet', domainJson(cubes([1, 0, 0])), [], true],
     ['two boxes that touch along an edge', domainJson(cubes([1, 1, 0])), ['3 boundary'], true],
+    ['a column of three boxes and one that touches its edge', domainJson(columnAndBox), ['1 boundary'], true],
     ['two boxes that touch at a vertex', domainJson(cubes([1, 1, 1])), ['1 boundary'], true],
     ['a region in a box', domainJson(nested, { regions }), [], true],
     ['a cylinder', domainJson(prism(circle, 0, 2)), [], null],
+    ['a lens', domainJson(lens()), [], null],
   ])('%s', (_, file, notes, measure) => {
     core.load('a.json', bytesOf(file));
     const result = core.run();

@@ -208,23 +208,25 @@ function hasOutline(p: number, faces: Cycle[], target: Target, { atVertex, x }: 
       if (!outer.delete(`${b},${a}`)) outer.set(`${a},${b}`, [a, b]);
     }
   }
-  const ridges = (target.ridgesOfPatch[p] ?? []).flatMap((r) => target.ridges[r] ?? []);
-  const onRidge = ridges.map((): [number, number][] => []);
+  const sides = target.sides[p] ?? [];
+  const onSide = sides.map((): [number, number][] => []);
   for (const edge of outer.values()) {
-    const ridge = ridges.findIndex(({ ends: [a, b], uses, bend }) => {
+    const side = sides.findIndex(({ ends: [a, b], slack }) => {
       const [from, to] = [a, b].map((v) => target.solid.domain.vertices[v] ?? zero);
-      const slack = Math.max(...[...uses.keys()].map((q) => target.patches[q]?.tolerance ?? 0)) + 2 * bend;
       return from && to && edge.every((place) => distanceToSegment(x(place), from, to) <= slack);
     });
-    if (ridge < 0) return false;
-    onRidge[ridge]?.push(edge);
+    if (side < 0) return false;
+    onSide[side]?.push(edge);
   }
-  return ridges.every(({ ends: [a, b], uses }, r) => {
+  return sides.every(({ ends: [a, b] }, s) => {
     const [from, to] = [atVertex.get(a) ?? null, atVertex.get(b) ?? null];
     if (from === null || to === null) return false;
-    const ends: Ends = new Map();
-    addTo(ends, to, uses.get(p) ?? 0);
-    addTo(ends, from, -(uses.get(p) ?? 0));
-    return leadsBetween(onRidge[r] ?? [], ends);
+    return leadsBetween(
+      onSide[s] ?? [],
+      new Map([
+        [to, 1],
+        [from, -1],
+      ]),
+    );
   });
 }

@@ -64,6 +64,36 @@ export function findSkeleton({ domain }: Solid, patches: Patch[], planarity: num
   return { ridges, corners: [...vertices].map((vertex) => ({ vertex, uses: new Map() })) };
 }
 
+/** A straight piece of the line around one patch. */
+export interface Side {
+  /** Vertices of the domain; the patch runs from the first to the second. */
+  ends: [number, number];
+  /** How far what lies on it may be from the straight line between its ends. */
+  slack: number;
+}
+
+/**
+ * The sides of each patch. A side goes straight on where other patches meet that do not matter to this one: where a
+ * solid touches it with a vertex, or its neighbours change.
+ */
+export function findSides({ domain }: Solid, patches: Patch[], ridges: Ridge[], planarity: number): Side[][] {
+  const ofPatch = patches.map((): Piece[] => []);
+  const slacks = patches.map(() => 0);
+  for (const { ends, uses, bend } of ridges) {
+    const tolerance = Math.max(...[...uses.keys()].map((p) => patches[p]?.tolerance ?? 0));
+    for (const [p, sign] of uses) {
+      ofPatch[p]?.push({ ends: sign > 0 ? ends : [ends[1], ends[0]], uses: new Map([[p, Math.abs(sign)]]) });
+      slacks[p] = Math.max(slacks[p] ?? 0, tolerance + 2 * bend);
+    }
+  }
+  return ofPatch.map((pieces, p) =>
+    straighten(pieces, domain.vertices, kPlanarSlack * planarity).map(({ ends: [a, b], uses, bend }) => ({
+      ends: (uses.get(p) ?? 0) > 0 ? [a, b] : [b, a],
+      slack: (slacks[p] ?? 0) + 2 * bend,
+    })),
+  );
+}
+
 /** Chains pieces of the same patches through vertices where nothing else is, as far as they are straight. */
 function straighten(pieces: Piece[], vertices: Vector[], allowed: number): Omit<Ridge, 'turn'>[] {
   const at = new Map<number, number[]>();

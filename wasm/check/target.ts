@@ -5,7 +5,7 @@ import { DisjointSets } from './disjoint-sets.ts';
 import { sizeOf } from './domain.ts';
 import { type Outline, outlineOf } from './outline.ts';
 import { findPatches, type Patch } from './patches.ts';
-import { directionFrom, findSkeleton, type Ridge, type Skeleton } from './ridges.ts';
+import { directionFrom, findSides, findSkeleton, type Ridge, type Side, type Skeleton } from './ridges.ts';
 import type { Solid } from './solid.ts';
 import { degreesBetween, times } from './vector.ts';
 
@@ -27,8 +27,8 @@ export interface Target extends Skeleton {
   tree: BoxTree;
   /** The largest of the patches' tolerances. */
   reach: number;
-  /** Per patch its ridges. */
-  ridgesOfPatch: number[][];
+  /** Per patch, in 3D. */
+  sides: Side[][];
   /** What doubles may be off by, in the units of the domain. */
   rounding: number;
   /** Patches and corners that the mesh must keep exactly. */
@@ -48,16 +48,12 @@ export function makeTarget(solid: Solid, { tolerance, featureAngle }: TargetSett
   const patches = findPatches(solid, tolerance * size, rounding);
   const skeleton = findSkeleton(solid, patches, tolerance * size);
   const reach = patches.reduce((most, patch) => Math.max(most, patch.tolerance), 0);
-  const ridgesOfPatch = patches.map((): number[] => []);
-  skeleton.ridges.forEach(({ uses }, r) => {
-    for (const patch of uses.keys()) ridgesOfPatch[patch]?.push(r);
-  });
   return {
     solid,
     patches,
     ...skeleton,
     reach,
-    ridgesOfPatch,
+    sides: findSides(solid, patches, skeleton.ridges, tolerance * size),
     outlines: patches.map((patch) => outlineOf(domain, patch)),
     tree: new BoxTree(
       patches.map(({ box: [low, high] }) => [
@@ -95,14 +91,12 @@ function strictParts(
   }
   const sizes = new Map<number, number>();
   for (const p of patches.keys()) sizes.set(surfaces.find(p), (sizes.get(surfaces.find(p)) ?? 0) + 1);
-  const isSmooth = ({
-    uses: [[patch = 0] = []],
-    turn,
-  }: {
-    uses: Iterable<number[]>;
-    turn: number;
-  }): boolean =>
-    turn < degrees && (featureAngle !== 'auto' || (sizes.get(surfaces.find(patch)) ?? 0) >= kAutoPatches);
+  // A ridge that fades out in a bent surface has it on both sides, and is no feature of the domain.
+  const isSmooth = ({ uses, turn }: Ridge): boolean => {
+    const [a = 0, b = a] = [...uses.keys()].map((patch) => surfaces.find(patch));
+    const joins = turn < degrees || (uses.size === 2 && a === b);
+    return joins && (featureAngle !== 'auto' || (sizes.get(a) ?? 0) >= kAutoPatches);
+  };
 
   const loosen = (uses: Map<number, number>): void => {
     for (const patch of uses.keys()) isStrictPatch[patch] = false;

@@ -1,0 +1,19 @@
+// Where a curve of a bent side turns so sharply that a vertex of the domain is there, though only two sides
+// meet. Internal to parts/.
+#pragma once
+
+#include "parts/parts.h"
+
+namespace dualblock {
+
+/// A node inside a curve, and the curve's part.
+struct Kink {
+  Index node, part;
+  auto operator<=>(const Kink &) const = default;
+};
+
+/// Ascending. Only curves between given sides have kinks, and only at bent ones: planes meet in straight
+/// lines, and cuts of bent parts are ragged.
+template <int N> std::vector<Kink> findKinks(const ReferenceMesh<N> &mesh, const Parts<N> &parts);
+
+} // namespace dualblock
