@@ -17,7 +17,36 @@ describe('what a domain encloses', () => {
   const cavity = together(box([0, 0, 0], [4, 4, 4]), box([1, 1, 1], [2, 2, 2]));
   const sharing = together(box([0, 0, 0], [1, 1, 1]), box([1, 0, 0], [2, 1, 1]));
   const plugged = together(cavity, turned(box([1, 1, 1], [2, 2, 2])));
+  /** Frames in one another's openings: squares of these half widths by turns around a frame and around its hole. */
+  const frames = (...halves: number[]): Domain => {
+    const corners = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ];
+    const points = halves.flatMap((h) =>
+      [0, 1].flatMap((z) => corners.map(([x = 0, y = 0]) => [h * x, h * y, z])),
+    );
+    const facets = halves.flatMap((_, k) => {
+      const [isHole, first] = [k % 2 === 1, 8 * k];
+      const walls = [0, 1, 2, 3].map((i) => {
+        const loop = [i, (i + 1) % 4, 4 + ((i + 1) % 4), 4 + i].map((v) => first + v);
+        return { loops: [isHole ? loop.reverse() : loop] };
+      });
+      const cap = (z: number): { loops: number[][] } => ({
+        loops: [0, 8].map((hole) => [0, 1, 2, 3].map((v) => first + hole + 4 * z + v)),
+      });
+      const turn = ({ loops: [a = [], b = []] }: { loops: number[][] }, outer: boolean) => ({
+        loops: outer ? [a, b.toReversed()] : [a.toReversed(), b],
+      });
+      return isHole ? walls : [...walls, turn(cap(0), false), turn(cap(1), true)];
+    });
+    return solid({ points, facets: [] }, { facets });
+  };
   it.each<[string, Domain, number, number[], number]>([
+    ['a frame in the opening of a frame', frames(5, 4, 3, 2), 100 - 64 + 36 - 16, [0, 2, 2], 0],
+    ['three frames in one another', frames(6, 5, 4, 3, 2, 1), 144 - 100 + 64 - 36 + 16 - 4, [0, 3, 3], 0],
     ['a box', solid(box([0, 0, 0], [2, 3, 4])), 24, [1, 1, 1], 0],
     ['a box turned inside out', solid(turned(box([0, 0, 0], [2, 3, 4]))), 24, [1, 1, 1], 0],
     [

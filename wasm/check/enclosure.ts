@@ -1,5 +1,6 @@
 // What a facet contributes to the measure that a closed surface encloses, and to how often it runs around a point.
-import { cross, dot, norm, subtract, type Vector, zero } from './vector.ts';
+import { areaVector, sidesOf, windingInPlane } from './polygon.ts';
+import { cross, dot, norm, subtract, unit, type Vector, zero } from './vector.ts';
 
 /** The signed area or volume of the cone from `apex` over a facet, positive where the apex is behind it. */
 export function coneMeasure(dimension: 2 | 3, loops: Vector[][], apex: Vector = zero): number {
@@ -10,8 +11,22 @@ export function coneMeasure(dimension: 2 | 3, loops: Vector[][], apex: Vector = 
   return sum;
 }
 
-/** The angle or solid angle that a facet takes up around a point, over that of the whole; positive from behind. */
+/** Of the distance to a facet: a point that is nearer to its plane is in it. */
+const kInPlane = 1e-12;
+
+/**
+ * The angle or solid angle that a facet takes up around a point, over that of the whole; positive from behind. In the
+ * facet's plane it is 0 beside the facet, and no multiple of a half on it.
+ */
 export function turnsAround(dimension: 2 | 3, loops: Vector[][], point: Vector): number {
+  if (dimension === 3) {
+    const area = areaVector(loops);
+    const reach = loops.flat().reduce((most, x) => Math.max(most, norm(subtract(x, point))), 0);
+    const height = dot(area, subtract(loops[0]?.[0] ?? zero, point));
+    // There the solid angles of its triangles, a half each, have the signs of rounding.
+    if (Math.abs(height) <= kInPlane * norm(area) * reach)
+      return 0.25 * windingInPlane(point, sidesOf(loops), unit(area));
+  }
   let sum = 0;
   forPieces(dimension, loops, point, (a, b, c) => {
     if (dimension === 2) {
