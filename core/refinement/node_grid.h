@@ -16,10 +16,12 @@ public:
       nodeCount_ += inside;
     };
     for (Index e = 0; e < toIndex(skeleton.edges.size()); ++e) take(firstOfEdge_, intervalsOf(e) - 1);
+    firstInFaces_ = nodeCount_;
     for (Index f = 0; f < toIndex(skeleton.faces.size()); ++f) {
       const auto n = intervalsOfFace(f);
       take(firstOfFace_, (n[0] - 1) * (n[1] - 1));
     }
+    firstInBlocks_ = nodeCount_;
     for (Index b = 0; b < blocks.blockCount(); ++b) {
       Index inside = 1;
       std::size_t elements = 1;
@@ -50,6 +52,12 @@ public:
 
   /// The first of the nodes inside an edge, which follow one another from its lower end.
   Index firstOfEdge(Index edge) const { return firstOfEdge_[at(edge)]; }
+
+  /// Likewise of a face, row by row.
+  Index firstOfFace(Index face) const { return firstOfFace_[at(face)]; }
+  /// The nodes inside edges are numbered from the first on, those inside faces from the second, those inside
+  /// blocks from the third.
+  std::array<Index, 3> firstOfKind() const { return {blocks_.nodeCount(), firstInFaces_, firstInBlocks_}; }
 
   /// Node k of an edge, counted from its end `from`.
   Index nodeOfEdge(Index e, Index from, Index k) const {
@@ -133,6 +141,14 @@ public:
     }
   }
 
+  /// visit(place) for the nodes inside the block's face at the low end of an axis.
+  template <typename Visit> void forFace(std::size_t axis, Visit visit) const {
+    const std::size_t p = axis == 0 ? 1 : 0;
+    const std::size_t q = axis == 2 ? 1 : 2;
+    for (Index j = 1; j < n_[q]; ++j)
+      for (Index i = 1; i < n_[p]; ++i) visit(at(i) * stride_[p] + at(j) * stride_[q]);
+  }
+
   /// The nodes of the element whose lowest corner is at `place`.
   std::array<Index, 1 << N> elementAt(std::size_t place) const {
     std::array<Index, 1 << N> element;
@@ -181,6 +197,7 @@ private:
   const Skeleton<N> &skeleton_;
   const Spacing &spacing_;
   std::vector<Index> firstOfEdge_, firstOfFace_, firstOfBlock_; // the first node inside each
+  Index firstInFaces_ = 0, firstInBlocks_ = 0;
   Index nodeCount_ = 0;
   std::size_t elementCount_ = 0;
   // Of the block at hand:

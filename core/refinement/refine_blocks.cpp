@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "base/deadline.h"
-#include "geometry/jacobian.h"
-#include "refinement/curved_edges.h"
-#include "refinement/node_grid.h"
-#include "refinement/transfinite.h"
+#include "refinement/node_placer.h"
 
 namespace dualblock {
 namespace {
@@ -20,13 +17,8 @@ template <int N> class Refiner {
 public:
   Refiner(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton, const BentShape<N> &shape,
           const Spacing &spacing)
-      : blocks_(blocks), skeleton_(skeleton), shape_(shape), grid_(blocks, skeleton, spacing),
-        isStraightEdge_(skeleton.edges.size()), isStraightFace_(skeleton.patchOfFace.size()),
-        isListed_(skeleton.edges.size(), false) {
-    for (std::size_t e = 0; e < skeleton.edges.size(); ++e)
-      isStraightEdge_[e] = !isCurved(shape, skeleton, toIndex(e));
-    for (std::size_t f = 0; f < skeleton.patchOfFace.size(); ++f)
-      isStraightFace_[f] = skeleton.patchOfFace[f] == kNone || !shape.isBent(skeleton.patchOfFace[f]);
+      : blocks_(blocks), skeleton_(skeleton), grid_(blocks, skeleton, spacing),
+        placer_(blocks, skeleton, shape, grid_, result_.positions), isListed_(skeleton.edges.size(), false) {
     result_.intervals = spacing.intervals;
     result_.places = spacing.places;
     result_.positions = blocks.positions;
@@ -56,17 +48,12 @@ public:
       }
     };
     bool again = true;
-    while (again) { // every round straightens something more, or is the last
-      placeEdges();
-      if constexpr (N == 3) placeFaces();
+    while (again) { // every round bends or straightens something more, or is the last
+      placer_.placeShared();
       again = false;
-      forBlocks(0, 0.5, [&](Index b) {
-        placeInside(b);
-        if (isStraight(b) || isPositive()) return;
-        straighten(b);
-        again = true;
-      });
+      forBlocks(0, 0.5, [&](Index b) { again = !placer_.placeInside(b) || again; });
     }
+    result_.straightened = placer_.straightened();
     result_.block.reserve(grid_.elementCount());
     result_.elements.reserve(grid_.elementCount());
     result_.quality.reserve(grid_.elementCount());
@@ -84,92 +71,6 @@ private:
   Index sharedFace(Index b, int f) const {
     if constexpr (N == 3) return skeleton_.facesOf[at(b)][at(f)];
     else return skeleton_.edgesOf[at(b)][edgeAt<2>(1 - f / 2, f % 2 ? 3U : 0U)];
-  }
-
-  void placeEdges() {
-    std::vector<Vec<N>> points;
-    for (Index e = 0; e < toIndex(skeleton_.edges.size()); ++e) {
-      const auto &[low, high] = skeleton_.edges[at(e)];
-      const Vec<N> a = result_.positions[at(low)];
-      const Vec<N> b = result_.positions[at(high)];
-      std::vector<double> places;
-      points.clear();
-      for (Index k = 0; k <= grid_.intervalsOf(e); ++k) {
-        places.push_back(grid_.placeOf(e, low, k));
-        points.push_back(
-            transfinite<N, 1>({places.back()}, [&](unsigned, unsigned bits) { return bits ? b : a; }));
-      }
-      if (!isStraightEdge_[at(e)]) bendEdge(shape_, skeleton_, e, places, points);
-      for (Index k = 1; k < grid_.intervalsOf(e); ++k)
-        result_.positions[at(grid_.firstOfEdge(e) + k - 1)] = points[at(k)];
-    }
-  }
-
-  void placeFaces() {
-    for (Index f = 0; f < toIndex(skeleton_.faces.size()); ++f) {
-      const auto n = grid_.intervalsOfFace(f);
-      const auto &v = skeleton_.faces[at(f)];
-      const auto &edges = skeleton_.edgesOfFace[at(f)];
-      for (Index y = 1; y < n[1]; ++y)
-        for (Index x = 1; x < n[0]; ++x) {
-          const std::array<double, 2> t{grid_.placeOf(edges[0], v[0], x), grid_.placeOf(edges[2], v[0], y)};
-          Vec<N> point = transfinite<N, 2>(t, [&](unsigned axes, unsigned bits) {
-            const Index i = axes & 1U ? (bits & 1U ? n[0] : 0) : x;
-            const Index j = axes & 2U ? (bits & 2U ? n[1] : 0) : y;
-            return result_.positions[at(grid_.nodeOfFace(f, i, j))];
-          });
-          if (!isStraightFace_[at(f)]) point = shape_.onSide(skeleton_.patchOfFace[at(f)], point).point;
-          result_.positions[at(grid_.nodeOfFace(f, x, y))] = point;
-        }
-    }
-  }
-
-  void placeInside(Index b) {
-    std::array<std::vector<double>, N> t;
-    for (int a = 0; a < N; ++a)
-      for (Index k = 0; k <= grid_.intervals(at(a)); ++k)
-        t[at(a)].push_back(
-            grid_.placeOf(skeleton_.edgesOf[at(b)][edgeAt<N>(a, 0)], blocks_.blocks[at(b)][0], k));
-    grid_.forInside([&](std::size_t place, const std::array<Index, N> &c) {
-      std::array<double, N> here;
-      for (std::size_t a = 0; a < N; ++a) here[a] = t[a][at(c[a])];
-      result_.positions[at(grid_[place])] = transfinite<N, N>(here, [&](unsigned axes, unsigned bits) {
-        std::size_t end = place;
-        for (std::size_t a = 0; a < N; ++a)
-          if (axes >> a & 1U)
-            end += ((bits >> a & 1U ? at(grid_.intervals(a)) : 0) - at(c[a])) * grid_.stride(a);
-        return result_.positions[at(grid_[end])];
-      });
-    });
-  }
-
-  bool isStraight(Index b) const {
-    for (const Index e : skeleton_.edgesOf[at(b)])
-      if (!isStraightEdge_[at(e)]) return false;
-    if constexpr (N == 3)
-      for (const Index f : skeleton_.facesOf[at(b)])
-        if (!isStraightFace_[at(f)]) return false;
-    return true;
-  }
-
-  void straighten(Index b) {
-    ++result_.straightened;
-    for (const Index e : skeleton_.edgesOf[at(b)]) isStraightEdge_[at(e)] = true;
-    if constexpr (N == 3)
-      for (const Index f : skeleton_.facesOf[at(b)]) isStraightFace_[at(f)] = true;
-  }
-
-  /// Whether every element of the block in the grid is clearly positive everywhere.
-  bool isPositive() const {
-    constexpr double kClearly = 1e-9; // of the largest coefficient
-    bool all = true;
-    grid_.forCells(0, [&](std::size_t place, const std::array<Index, N> &) {
-      if (!all) return;
-      const auto c = jacobianCoefficients<N>(cornersOf<N>(grid_.elementAt(place), result_.positions));
-      const auto [low, high] = std::minmax_element(c.begin(), c.end());
-      all = *low > kClearly * *high;
-    });
-    return all;
   }
 
   void addElements(Index b) {
@@ -195,7 +96,7 @@ private:
             c[a] = grid_.intervals(a) - 1;
             place += at(grid_.intervals(a)) * grid_.stride(a);
           }
-        const Index span = isStraightEdge_[at(edge)] ? grid_.intervals(at(axis)) : 1;
+        const Index span = placer_.isStraightEdge(edge) ? grid_.intervals(at(axis)) : 1;
         const std::size_t step = at(span) * grid_.stride(at(axis));
         for (Index &k = c[at(axis)]; k < grid_.intervals(at(axis)); k += span, place += step)
           result_.outline.push_back(
@@ -229,12 +130,11 @@ private:
 
   const BlockMesh<N> &blocks_;
   const Skeleton<N> &skeleton_;
-  const BentShape<N> &shape_;
+  RefinedMesh<N> result_;
   NodeGrid<N> grid_;
-  std::vector<bool> isStraightEdge_, isStraightFace_;
+  NodePlacer<N> placer_;
   std::vector<Index> blocksAtFace_; // per face (2D: edge); kNone once its elements' faces are listed
   std::vector<bool> isListed_;      // per edge: in the outline
-  RefinedMesh<N> result_;
 };
 
 } // namespace
