@@ -202,6 +202,7 @@ export function describe(report: Report): string {
     report.refined
       ? `  refined: ${report.refined.elements} elements, ${report.refined.nodes} nodes, scaled Jacobian: minimum ${report.refined.scaledJacobian?.min.toFixed(3)}`
       : '',
+    report.refined?.straightenedBlocks ? `  ${straightenedText(report.refined.straightenedBlocks)}` : '',
     certificate.isExact
       ? ''
       : `  ${reference.bentSides} bent side(s): straight blocks hold ${off.toFixed(1)} % ${off < 0 ? 'less' : 'more'} than the domain`.replace(
@@ -214,6 +215,10 @@ export function describe(report: Report): string {
     .filter((line) => line !== '')
     .join('\n');
 }
+
+/** Of blocks whose elements do not follow the bent sides beside them. */
+export const straightenedText = (blocks: number): string =>
+  `${blocks} block(s) keep straight elements beside a bent side, which would turn some inside out: there nodes are off the domain. Other intervals may serve.`;
 
 /** What the objective `blocks` would have given, where other parts were chosen. */
 function describeObjective({ candidates }: Report['parts']['objective']): string {

@@ -299,6 +299,33 @@ TEST(RefineBent, ComesCloserToTheDomain) {
   }
 }
 
+// A wall thinner than the bend of its blocks: what is inside of it has to bend as well. And a ring of eight
+// bent bands, each of which is far from the chords of its blocks.
+TEST(RefineBent, WhatIsInsideOfThinWallsFollows) {
+  Domain<3> pipe = prism(circle(64, 1), 0, 2);
+  addHole(pipe, circle(64, 0.96), 0, 2);
+  for (const Domain<3> &domain : {pipe, torus(16, 8)})
+    for (const PipelineOptions &options : {PipelineOptions{}, coarsest()}) {
+      const auto r = run(domain, options);
+      for (const Index n : {2, 5}) {
+        const auto mesh = refined(r, intervals(n));
+        const Certificate certificate = certificateOf(r, mesh);
+        EXPECT_TRUE(certificate.valid) << failuresOf(certificate);
+        EXPECT_EQ(mesh.straightened, 0);
+      }
+    }
+}
+
+// Elements that the interpolation would slant, or turn inside out, beside the tip of a cone.
+TEST(RefineBent, NodesInsideOfBlocksAreEvenedOut) {
+  const auto r = run(cone(24), coarsest());
+  for (const Index n : {6, 10}) {
+    const auto mesh = refined(r, intervals(n));
+    EXPECT_EQ(mesh.straightened, 0);
+    EXPECT_GT(*std::min_element(mesh.quality.begin(), mesh.quality.end()), 0.1);
+  }
+}
+
 // Random domains of every kind, refined unevenly.
 TEST(RefineProperty, RandomDomainsStayValid) {
   std::size_t elements = 0;

@@ -6,7 +6,7 @@ import { meshReader } from '../../wasm/check/read-mesh.ts';
 import type { Dualblock, Settings } from '../../wasm/dualblock.ts';
 import { elementMesh } from '../../wasm/io/block-mesh-of.ts';
 import { mostElements, type Refinement, type Refiner, refineInput } from '../../wasm/refine.ts';
-import { makeReport } from '../../wasm/report.ts';
+import { describe as describeReport, makeReport } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
 import { elementCount } from '../../web/src/model/final-mesh.ts';
 import { useCommandLine } from './support/command-line.ts';
@@ -154,6 +154,9 @@ describe('refinement', () => {
       straightenedBlocks: 0,
     });
     expect(Object.values(report.refined!.intervals).every((n) => n >= 1 && n <= 3)).toBe(true);
+    expect(describeReport(report)).not.toContain('straight elements');
+    const straightened = makeReport(result, defaultSettings, 0, { ...mesh, straightened: 3 });
+    expect(describeReport(straightened)).toContain('3 block(s) keep straight elements');
   });
 });
 

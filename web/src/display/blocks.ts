@@ -65,6 +65,8 @@ export interface RefinedCells {
   quality: Float64Array;
   /** The same of all elements, for the histogram. */
   allQuality: Float64Array;
+  /** Blocks with straight elements beside a bent side. */
+  straightened: number;
 }
 
 /** Beyond so many elements only those at the boundary are drawn: the others would be in memory for nothing. */
@@ -72,11 +74,11 @@ const mostWithInside = 250_000;
 
 /** What is drawn of a refined mesh. */
 export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCells {
-  const { positions, elements, block, quality } = mesh;
+  const { positions, elements, block, quality, straightened } = mesh;
   if (dimension === 2 || quality.length <= mostWithInside) {
     const cells = displayBlocks(dimension, positions, elements);
     const outline = outlineOf(dimension, mesh, null);
-    return { cells, outline, element: null, block, quality, allQuality: quality };
+    return { cells, outline, element: null, block, quality, allQuality: quality, straightened };
   }
   const outer = new Uint8Array(quality.length);
   for (const e of mesh.boundaryElement) outer[e] = 1;
@@ -96,6 +98,7 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
     block: element.map((e) => block[e]!),
     quality: Float64Array.from(element, (e) => quality[e]!),
     allQuality: quality,
+    straightened,
   };
 }
 

@@ -1,4 +1,5 @@
 // Right panel: what the step is, the certificate, the selection, the list of entities.
+import { straightenedText } from '../../../wasm/report.ts';
 import { hideSelection, isolateSelection } from '../actions.ts';
 import { entityOf } from '../model/culprits.ts';
 import { checkTexts, describeEntity, explain } from '../model/explain.ts';
@@ -28,7 +29,8 @@ export function ExplainPanel() {
   useUi((s) => s.refinement);
   const { model } = app;
   if (!model) return <p class="hint">Nothing is loaded yet.</p>;
-  const drawn = step === 9 ? app.stage.scene?.refinement?.element : null;
+  const refined = step === 9 ? app.stage.scene?.refinement : null;
+  const drawn = refined?.element;
   const { text, section, counts, invariant } = explain(
     model,
     step,
@@ -58,6 +60,7 @@ export function ExplainPanel() {
           slice shows them as a shell.
         </p>
       )}
+      {refined && refined.straightened > 0 && <p class="hint">{straightenedText(refined.straightened)}</p>}
       {invariant && <p class={model.result.certificate.valid ? 'invariant' : 'invariant bad'}>{invariant}</p>}
       {step >= 8 && <Histogram />}
       <CertificatePanel />
