@@ -7,9 +7,9 @@
 #include "blocks/relax.h"
 #include "contributions/given_matching.h"
 #include "contributions/repair.h"
-#include "domain/intersections.h"
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
+#include "reference/culprits.h"
 #include "stage_clock.h"
 
 namespace dualblock {
@@ -265,23 +265,6 @@ template <int N>
   r.candidates = std::move(candidates);
 }
 
-/// Where TetGen refused the domain: looks for two facets that cross. As given, for facets that overlap in one
-/// plane may have been merged.
-template <int N>
-[[gnu::noinline]] Error nameCulprits(const Error &error, const Domain<N> &given, double tolerance) {
-  const bool mayCross = error.code == ErrorCode::selfIntersection || error.code == ErrorCode::tetgenFailed;
-  if (!mayCross) return error;
-  const auto found = findIntersection(given, tolerance * domainSize(given.vertices));
-  if (!found) return error;
-  std::string where;
-  for (int k = 0; k < N; ++k) where += (k ? ", " : "") + std::to_string(found->where[k]);
-  return {ErrorCode::selfIntersection,
-          "The boundary crosses itself: facets " + std::to_string(found->facetA) + " and " +
-              std::to_string(found->facetB) + " meet at (" + where +
-              "), where they share no edge. Make them meet only along shared edges.",
-          {{"facet", found->facetA}, {"facet", found->facetB}}};
-}
-
 /// The paper's rules on the contributions that the domain itself gives (figure 12).
 void checkMatchingOnly(PipelineResult<2> &r) {
   const Domain<2> &domain = r.domain.domain;
@@ -309,7 +292,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   fillOptions.planarTolerance = options.tolerance;
   fillOptions.featureAngle = options.featureAngle;
   auto filled = fillDomain(domain, fillOptions);
-  if (!filled.ok()) return nameCulprits(filled.error(), given, options.tolerance);
+  if (!filled.ok()) return nameCulprits(filled.error(), given, r.domain, options.tolerance);
   r.mesh = std::move(filled.value().mesh);
   r.domain.deviation = std::max(r.domain.deviation, filled.value().deviation);
   clock.credit("tetgen", filled.value().tetgenMilliseconds);

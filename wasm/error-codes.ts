@@ -9,6 +9,7 @@ export const errorCodes = [
   { name: 'versionUnknown', meaning: "the format's version is not one this program reads" },
   { name: 'fileTruncated', meaning: 'the file ends before everything it announces' },
   { name: 'notFinite', meaning: 'a coordinate is not a finite number' },
+  { name: 'scaleExtreme', meaning: 'the domain is too large or too small to reckon with' },
   { name: 'indexOutOfRange', meaning: 'a reference names an entity that does not exist' },
   { name: 'tooFewVertices', meaning: 'a domain needs more vertices' },
   { name: 'tooFewFacets', meaning: 'a domain needs more facets' },

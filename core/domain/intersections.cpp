@@ -77,22 +77,21 @@ public:
     return inside;
   }
 
-  /// Where the segment crosses an edge, both by more than the tolerance.
-  std::optional<Vec<2>> crossing(const Vec<2> &a, const Vec<2> &b, double tolerance) const {
-    const auto side = [](const Vec<2> &p, const Vec<2> &q, const Vec<2> &x) {
-      return ((q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x)) / glm::length(q - p);
-    };
-    const auto apart = [&](double s, double t) {
-      return (s > tolerance && t < -tolerance) || (s < -tolerance && t > tolerance);
-    };
+  /// A point of the segment inside, if any: between two places where it meets edges.
+  std::optional<Vec<2>> passes(const Vec<2> &a, const Vec<2> &b, double tolerance) const {
+    const auto cross = [](const Vec<2> &u, const Vec<2> &v) { return u.x * v.y - u.y * v.x; };
+    std::vector<double> places{0, 1};
     for (const auto &loop : loops_)
       for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<2> &c = loop[k];
-        const Vec<2> &d = loop[(k + 1) % loop.size()];
-        const double sa = side(c, d, a);
-        const double sb = side(c, d, b);
-        if (apart(sa, sb) && apart(side(a, b, c), side(a, b, d))) return a + sa / (sa - sb) * (b - a);
+        const Vec<2> edge = loop[(k + 1) % loop.size()] - loop[k];
+        const double t = cross(loop[k] - a, edge) / cross(b - a, edge);
+        if (t > 0 && t < 1) places.push_back(t); // not where they are parallel
       }
+    sortItems(places);
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const Vec<2> middle = a + (places[k] + places[k + 1]) / 2 * (b - a);
+      if (holds(middle, tolerance)) return middle;
+    }
     return std::nullopt;
   }
 
@@ -118,7 +117,7 @@ std::optional<Vec<3>> meets(const Domain<3> &domain, Index p, Index q, const Fac
   if (onA && onB) {
     const Vec<2> u = flat.project(a);
     const Vec<2> v = flat.project(b);
-    const auto x = flat.crossing(u, v, tolerance);
+    const auto x = flat.passes(u, v, tolerance);
     if (!x) return std::nullopt;
     return a + glm::length(*x - u) / glm::length(v - u) * (b - a);
   }

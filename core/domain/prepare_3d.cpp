@@ -12,6 +12,17 @@ namespace {
 /// Facets that the input itself calls planar may be off by this many tolerances: files often hold six digits.
 constexpr double kGivenSlack = 10;
 
+/// What is wrong with a facet of too little area.
+std::string smallFacet(double area, double tolerance, double perimeter) {
+  constexpr double kThin = 1e-7; // of a perimeter's square: no area at all, but for rounding
+  if (area <= kThin * perimeter * perimeter)
+    return " has no area: remove it, and join the facets on both sides of it.";
+  return " is too small for a domain of this size: its area is " + formatNumber(area) +
+         ", and the tolerance is " + formatNumber(tolerance) + " times its perimeter of " +
+         formatNumber(perimeter) +
+         ". Give a smaller tolerance, or remove the facet and join those on both sides of it.";
+}
+
 /// given: per facet, its number in the input; repeated: whether one before it has the same corners.
 std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Index> &given,
                                  const std::vector<bool> &repeated, double tolerance) {
@@ -42,8 +53,7 @@ std::optional<Error> checkFacets(const Domain<3> &domain, const std::vector<Inde
         perimeter +=
             glm::length(domain.vertices[at(loop[(k + 1) % loop.size()])] - domain.vertices[at(loop[k])]);
     if (!(glm::length(area) > tolerance * perimeter))
-      return error(ErrorCode::degenerateFacet,
-                   " has no area: remove it, and join the facets on both sides of it.");
+      return error(ErrorCode::degenerateFacet, smallFacet(glm::length(area) / 2, tolerance / 2, perimeter));
     if (repeated[f])
       return error(ErrorCode::duplicateFacet,
                    " has the same corners as an earlier facet: remove one of them.");

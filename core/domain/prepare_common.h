@@ -10,7 +10,11 @@
 
 namespace dualblock {
 
-/// Enough vertices, all coordinates finite, all references in range.
+/// Sizes of domains: products of six lengths have to be doubles.
+inline constexpr double kLargestSize = 1e40;
+inline constexpr double kSmallestSize = 1e-40;
+
+/// Enough vertices, all coordinates finite, of a size to reckon with, and all references in range.
 template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
   const std::size_t count = domain.vertices.size();
   if (count < N + 1)
@@ -24,6 +28,13 @@ template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
         return Error{ErrorCode::notFinite,
                      "Vertex " + std::to_string(v) + " has a coordinate that is not a finite number.",
                      {{"vertex", static_cast<std::int64_t>(v)}}};
+  const double size = domainSize(domain.vertices);
+  if (!(size <= kLargestSize) || (size > 0 && size < kSmallestSize))
+    return Error{ErrorCode::scaleExtreme,
+                 "The domain has a size of " + formatNumber(size) + ", which is too " +
+                     (size < 1 ? "small" : "large") +
+                     " to reckon with: give its coordinates in another unit.",
+                 {}};
   for (std::size_t f = 0; f < domain.facets.size(); ++f)
     for (const auto &loop : domain.facets[f].loops)
       for (const Index v : loop)

@@ -27,6 +27,7 @@ struct TreeBuilder {
   std::vector<Json *> open = {}; // arrays and objects that are not closed yet, outermost first
   Json *named = nullptr;         // of the innermost object, the member whose value follows
   std::size_t errorOffset = 0;   // bytes read up to where the text is no JSON
+  std::string tooLarge = {};     // the number there that no double can hold, if that is the fault
 
   Json &put(Json value) {
     if (open.empty()) return root = std::move(value);
@@ -63,10 +64,9 @@ struct TreeBuilder {
     named = &(*open.back())[name];
     return true;
   }
-  bool parse_error(std::size_t offset, const std::string &, const Json::exception &problem) {
-    if (problem.id >= 200) // not of a parse_error: a number that no double can hold
-      refuse(ErrorCode::syntax, std::string("The domain is not well formed: ") + problem.what());
+  bool parse_error(std::size_t offset, const std::string &token, const Json::exception &problem) {
     errorOffset = offset;
+    tooLarge = problem.id >= 200 ? token : ""; // not of a parse_error: a number that no double can hold
     return false;
   }
 };
@@ -243,14 +243,25 @@ template <int N> Domain<N> readDomain(const Json &root) {
   return domain;
 }
 
-Error notJson(std::string_view text, std::size_t offset) {
-  const std::string_view read = text.substr(0, offset);
+Error notJson(std::string_view text, const TreeBuilder &tree) {
+  const std::string_view read = text.substr(0, std::min(tree.errorOffset, text.size()));
   const std::int64_t line = 1 + std::count(read.begin(), read.end(), '\n');
-  const bool cut = offset >= text.size();
-  return {cut ? ErrorCode::fileTruncated : ErrorCode::syntax,
-          "Line " + std::to_string(line) +
-              (cut ? ": the JSON text ends too early; the file may be truncated." : ": this is not JSON."),
-          {{"line", line}}};
+  const std::size_t column = read.size() - (read.rfind('\n') + 1); // npos + 1 is 0
+  const std::string where = "Line " + std::to_string(line) + ", column " + std::to_string(column) + ": ";
+  if (!tree.tooLarge.empty())
+    return {ErrorCode::notFinite,
+            where + tree.tooLarge.substr(0, 40) +
+                " is more than a double can hold. Give the number a finite value.",
+            {{"line", line}}};
+  if (tree.open.empty() && !tree.root.is_null())
+    return {ErrorCode::syntax,
+            where + "there is more text after the end of the domain. Remove it.",
+            {{"line", line}}};
+  if (tree.errorOffset >= text.size())
+    return {ErrorCode::fileTruncated,
+            where + "the JSON text ends too early; the file may be truncated.",
+            {{"line", line}}};
+  return {ErrorCode::syntax, where + "this is not JSON.", {{"line", line}}};
 }
 
 } // namespace
@@ -261,7 +272,7 @@ Result<AnyDomain> readJson(std::string_view text) {
   try {
     Json root;
     TreeBuilder tree{root};
-    if (!Json::sax_parse(text, &tree)) return notJson(text, tree.errorOffset);
+    if (!Json::sax_parse(text, &tree)) return notJson(text, tree);
     if (!root.is_object()) refuse(ErrorCode::syntax, "A domain must be a JSON object.");
     const std::string format = textOf(root, "format");
     if (format.rfind("dualblock-domain/", 0) != 0)

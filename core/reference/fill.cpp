@@ -103,26 +103,35 @@ std::vector<bool> insideCells(const std::vector<Crossing<N>> &contacts, const Do
   return inside;
 }
 
-/// The simplex that holds x deepest, by its barycentric coordinates; kNone where x is outside of all by more
-/// than rounding. Points given by users often lie on faces.
-template <int N> Index locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
-  constexpr double kOnFace = -1e-9;
+struct Located {
+  Index simplex = kNone;   // that holds the point deepest; kNone where it is outside of all
+  bool onBoundary = false; // on a facet, within rounding
+};
+
+/// By barycentric coordinates. Points given by users often lie on faces of simplices.
+template <int N> Located locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
+  constexpr double kOnFace = 1e-9;
   std::vector<Vec<N>> nodes = mesh.nodes;
   nodes.push_back(x);
-  Index best = kNone;
-  double deepest = kOnFace;
+  Located best;
+  double deepest = -kOnFace;
   for (Index s = 0; s < mesh.simplexCount(); ++s) {
     const double whole = orientation<N>(mesh.nodes, mesh.simplices[at(s)]);
     if (!(whole > 0)) continue;
     double depth = 1;
-    for (int i = 0; i < N + 1 && depth > deepest; ++i) {
+    bool touches = false;
+    for (int i = 0; i < N + 1 && depth > -kOnFace; ++i) {
       auto corner = mesh.simplices[at(s)];
       corner[i] = mesh.nodeCount();
-      depth = std::min(depth, orientation<N>(nodes, corner) / whole);
+      const double height = orientation<N>(nodes, corner) / whole;
+      depth = std::min(depth, height);
+      touches = touches || (height < kOnFace && mesh.tags[at(s)][i] != kNone);
     }
+    if (depth <= -kOnFace) continue;
+    best.onBoundary = best.onBoundary || touches;
     if (depth <= deepest) continue;
     deepest = depth;
-    best = s;
+    best.simplex = s;
   }
   return best;
 }
@@ -218,9 +227,28 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
   }
 }
 
+/// Far too fine a mesh is refused before anybody waits for it.
+template <int N> std::optional<Error> checkEdgeLength(const Domain<N> &domain, double edgeLength) {
+  constexpr double kMost = 5e7;                    // simplices, ten times what 4 GB hold
+  constexpr double kUnit = N == 2 ? 0.433 : 0.118; // measure of a regular simplex
+  double measure = 0;                              // by the divergence theorem
+  for (const Facet &facet : domain.facets)
+    measure += glm::dot(domain.vertices[at(facet.loops[0][0])] - domain.vertices[0],
+                        areaVector(domain.vertices, facet)) /
+               (N == 2 ? 2 : 6);
+  const double simplices = std::abs(measure) / (kUnit * std::pow(edgeLength, N));
+  if (!(edgeLength > 0) || simplices <= kMost) return std::nullopt;
+  return Error{ErrorCode::badOption,
+               "Edges of " + formatNumber(edgeLength) + " would take about " + formatNumber(simplices) +
+                   " simplices, and " + formatNumber(kMost) + " are the most: give a longer edge length.",
+               {}};
+}
+
 } // namespace
 
 template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const FillOptions &options) {
+  if (!domain.reference)
+    if (auto error = checkEdgeLength(domain, options.edgeLength)) return *error;
   auto made = domain.reference ? fillByGiven(domain, options.planarTolerance)
                                : fillByTetgen(domain, options.edgeLength);
   if (!made.ok()) return made.error();
@@ -247,26 +275,38 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   std::vector<bool> inside(at(cellCount), true);
   if (!domain.isSolid && !domain.reference) inside = insideCells(contacts, domain, cellCount);
   std::vector<Index> regionOfCell(at(cellCount), 0);
+  std::vector<std::size_t> namedBy(at(cellCount), domain.regions.size());
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
-    const Index s = locate(mesh, domain.regions[r].point);
-    if (s == kNone)
+    const auto refused = [&](const std::string &what) {
       return Error{ErrorCode::regionOutside,
-                   "The point of region " + std::to_string(r) + " lies outside the domain: move it inside.",
+                   "The point of region " + std::to_string(r) + " lies " + what,
                    {{"region", static_cast<std::int64_t>(r)}}};
-    regionOfCell[at(cell[at(s)])] = domain.regions[r].id;
-    inside[at(cell[at(s)])] = true; // who names a region means it to be meshed
+    };
+    const Located place = locate(mesh, domain.regions[r].point);
+    if (place.simplex == kNone) return refused("outside the domain: move it inside.");
+    if (place.onBoundary) return refused("on a facet, between two regions: move it inside its own.");
+    const std::size_t c = at(cell[at(place.simplex)]);
+    if (namedBy[c] < r && domain.regions[namedBy[c]].id != domain.regions[r].id)
+      return refused("in the same region as that of region " + std::to_string(namedBy[c]) +
+                     ", which has another id: no facet is between them. Move or remove one of them.");
+    namedBy[c] = r;
+    regionOfCell[c] = domain.regions[r].id;
+    inside[c] = true; // who names a region means it to be meshed
   }
   for (std::size_t s = 0; s < cell.size(); ++s) mesh.region[s] = regionOfCell[at(cell[s])];
   for (std::size_t h = 0; h < domain.holes.size(); ++h) {
-    const Index s = locate(mesh, domain.holes[h]);
-    if (s == kNone && !insideBox(domain.vertices, domain.holes[h]))
+    const auto refused = [&](const std::string &what) {
       return Error{ErrorCode::holeOutside,
-                   "Hole " + std::to_string(h) +
-                       " lies outside the domain: move its point into the cavity, or "
-                       "remove it.",
+                   "Hole " + std::to_string(h) + " lies " + what +
+                       ": move its point into the cavity, or remove it.",
                    {{"hole", static_cast<std::int64_t>(h)}}};
-    if (s == kNone) continue; // a pocket that is open to the outside is empty anyway
-    inside[at(cell[at(s)])] = false;
+    };
+    const Located place = locate(mesh, domain.holes[h]);
+    if (place.simplex == kNone && !insideBox(domain.vertices, domain.holes[h]))
+      return refused("outside the domain");
+    if (place.simplex == kNone) continue; // a pocket that is open to the outside is empty anyway
+    if (place.onBoundary) return refused("on a facet");
+    inside[at(cell[at(place.simplex)])] = false;
   }
   orientFacets(fill, contacts, inside);
   keepInside(fill, inside, cell);

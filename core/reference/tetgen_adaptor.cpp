@@ -159,19 +159,23 @@ bool locateFaces(Tetrahedra &mesh) {
   return found == missing.size();
 }
 
-/// Whether the faces cover each facet: TetGen has been seen to lose whole cells of an assembly.
-bool coversFacets(const Tetrahedra &mesh, const std::vector<Facet> &facets) {
+/// Whether the faces cover each facet: TetGen has been seen to lose whole cells of an assembly. `lost`
+/// becomes a facet without any face.
+bool coversFacets(const Tetrahedra &mesh, const std::vector<Facet> &facets, Index &lost) {
   std::vector<double> covered(facets.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto &[a, b, c] = mesh.faces[f];
     covered[at(mesh.faceFacet[f])] +=
         glm::length(glm::cross(mesh.nodes[at(b)] - mesh.nodes[at(a)], mesh.nodes[at(c)] - mesh.nodes[at(a)]));
   }
+  bool all = true;
+  lost = kNone;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const double area = glm::length(areaVector(mesh.nodes, facets[f]));
-    if (std::abs(covered[f] - area) > 1e-4 * area) return false;
+    all = all && std::abs(covered[f] - area) <= 1e-4 * area;
+    if (covered[f] == 0 && lost == kNone) lost = toIndex(f);
   }
-  return true;
+  return all;
 }
 
 /// Whether a tetrahedron has no volume beyond rounding, as TetGen leaves some between coplanar vertices.
@@ -212,6 +216,7 @@ Error explain(int code) {
 Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
                              const TetgenOptions &options) {
   int lastCode = 2;
+  Index lost = kNone;               // a facet that the first result had no face of
   std::optional<Tetrahedra> flawed; // what has flat tetrahedra may still serve, if there is no other
   const auto start = std::chrono::steady_clock::now();
   for (const Attempt &attempt : kAttempts) {
@@ -236,14 +241,19 @@ Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vec
     Tetrahedra mesh = readOutput(out);
     if (mesh.nodes.size() < vertices.size()) continue;
     std::copy(vertices.begin(), vertices.end(), mesh.nodes.begin());
-    if (!locateFaces(mesh) || !coversFacets(mesh, facets)) continue;
+    Index lostHere = kNone;
+    const bool covers = coversFacets(mesh, facets, lostHere);
+    if (lost == kNone) lost = lostHere;
+    if (!locateFaces(mesh) || !covers) continue;
     mesh.remedy = attempt.remedy;
     mesh.milliseconds = spent.count();
     if (!hasFlat(mesh)) return mesh;
     if (!flawed) flawed = std::move(mesh);
   }
   if (flawed) return *flawed;
-  return explain(lastCode);
+  Error error = explain(lastCode);
+  if (lost != kNone) error.entities.push_back({"facet", lost});
+  return error;
 }
 
 } // namespace dualblock

@@ -29,7 +29,8 @@ struct TetgenOptions {
 /// Fills what the facets enclose. TetGen 1.5 fails on about 2 % of valid domains whose facets are planar only
 /// up to rounding; the call is then repeated with a wider tolerance, with coordinates snapped to a grid of
 /// 2^-30 of the size, and with a shift of 1e-9 of the size, each of which leaves the result's coordinates
-/// at the original ones. Errors: tetgenFailed, selfIntersection, outOfMemory.
+/// at the original ones. Errors: tetgenFailed, selfIntersection, outOfMemory;
+/// they name a facet that TetGen found the outside on both sides of.
 Result<Tetrahedra> runTetgen(const std::vector<Vec<3>> &vertices, const std::vector<Facet> &facets,
                              const TetgenOptions &options);
 

@@ -139,6 +139,10 @@ describe('exit status 1: bad input', () => {
 });
 
 describe('exit status 2: bad usage', () => {
+  it('says so before the run where a file cannot be written, not after it', () => {
+    const { status, stderr } = dualblock('--example', 'house', '-o', 'no/such/folder/mesh.vtk');
+    expect([status, stderr.trim().split('\n').length]).toEqual([2, 1]);
+  });
   it.each([
     [[], /there is no input/],
     [['--exampel', 'house'], /did you mean --example/],

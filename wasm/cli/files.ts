@@ -1,5 +1,6 @@
 // What the command line reads and writes.
-import { type FileHandle, open, readFile } from 'node:fs/promises';
+import { access, constants, type FileHandle, open, readFile } from 'node:fs/promises';
+import { dirname } from 'node:path';
 import { DualblockError } from '../io/errors.ts';
 import { formatOf } from '../settings.ts';
 import type { Source } from './arguments.ts';
@@ -41,6 +42,19 @@ export async function readSource(source: Source): Promise<{ name: string; bytes:
   return { name: source.path, bytes: await readInput(source.path) };
 }
 
+const unwritable = (path: string): UsageError =>
+  new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
+
+/** Throws UsageError where a file that is to be written has no folder to be in. */
+export async function needFolder(path: string | null): Promise<void> {
+  if (path === null || path === '-') return;
+  try {
+    await access(dirname(path), constants.W_OK);
+  } catch {
+    throw unwritable(path);
+  }
+}
+
 type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
 /** Writes a file piece by piece. Throws UsageError. */
@@ -51,7 +65,7 @@ export async function save(path: string, pieces: Pieces): Promise<void> {
   try {
     file = await open(path, 'w');
   } catch {
-    throw new UsageError(`${path} cannot be written`, 'name a file in a folder that exists and is writable');
+    throw unwritable(path);
   }
   try {
     for (; !step.done; step = await steps.next()) await file.writeFile(step.value);

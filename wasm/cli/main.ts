@@ -9,7 +9,7 @@ import type { RunResult } from '../result.ts';
 import { type Command, type GivenSettings, parseArguments } from './arguments.ts';
 import { check } from './check.ts';
 import { asDualblockError, exitStatus, statusOf } from './exit-status.ts';
-import { putReport, readExamples, readSource, save } from './files.ts';
+import { needFolder, putReport, readExamples, readSource, save } from './files.ts';
 import { helpText } from './options.ts';
 import { makeProgress } from './progress.ts';
 import { type GivenRefinement, resolve } from './refinement.ts';
@@ -36,6 +36,7 @@ async function run(command: Run): Promise<number> {
   const settings = settingsOf(command.settings);
   const writers = command.outputs.map((path) => ({ path, write: outputWriter(path) }));
   const inputName = command.source.kind === 'example' ? command.source.name : command.source.path;
+  for (const path of [...command.outputs, command.report]) await needFolder(path); // not after a long run
   const progress = makeProgress(command.quiet);
   const core = await Dualblock.create({
     wasmBinary: await readFile(new URL('./dualblock.wasm', import.meta.url)),
@@ -63,7 +64,8 @@ async function run(command: Run): Promise<number> {
     const error = asDualblockError(thrown);
     const { code, message, entities } = error;
     await putReport(command.report, makeErrorReport(inputName, settings, { code, message, entities }));
-    process.stderr.write(`dualblock: ${inputName}: ${message} [${code}]\n`);
+    const text = message.replace(`${inputName} `, () => 'the file '); // which has been named
+    process.stderr.write(`dualblock: ${inputName}: ${text} [${code}]\n`);
     return statusOf(error);
   } finally {
     core.dispose();

@@ -1,5 +1,5 @@
 // Domains that a reader takes and a run has to refuse: what is wrong, the file, and the error expected.
-import { box, change, domainJson, planeJson, prism, textStl, together } from './solids.ts';
+import { box, change, domainJson, planeJson, prism, type Solid, textStl, together } from './solids.ts';
 import type { Case } from './wrong-files.ts';
 
 const cube = box([0, 0, 0], [1, 1, 1]);
@@ -15,6 +15,30 @@ const small = (x: number, y: number): number[][] => [
   [x + 1, y + 1],
   [x + 1, y],
 ];
+const nested = together(box([0, 0, 0], [3, 3, 3]), box([1, 1, 1], [2, 2, 2]));
+/** A box with a tunnel through it, whose lower end is a facet. */
+const tunnelWithLid = ((): string => {
+  const outer = box([0, 0, 0], [3, 3, 1]);
+  const inner = box([1, 1, 0], [2, 2, 1]);
+  const isFlat = ({ points }: Solid, facet: number[]): boolean =>
+    new Set(facet.map((i) => points[i]?.[2])).size === 1;
+  const walls = outer.facets.filter((facet) => !isFlat(outer, facet));
+  const inside = inner.facets.filter((facet) => !isFlat(inner, facet));
+  const shifted = (facet: number[]): number[] => facet.map((i) => i + outer.points.length);
+  const ends = outer.facets.filter((facet) => isFlat(outer, facet));
+  const openings = inner.facets.filter((facet) => isFlat(inner, facet)).map(shifted);
+  const height = (facet: number[]): number | undefined => outer.points[facet[0] ?? 0]?.[2];
+  const loops = [
+    ...walls.map((facet) => [facet]),
+    ...inside.map((facet) => [shifted(facet).reverse()]),
+    ...ends.map((facet, k) => [facet, openings[k] ?? []]),
+    ...openings.filter((_, k) => height(ends[k] ?? []) === 0).map((facet) => [facet]),
+  ];
+  return domainJson(
+    { points: [...outer.points, ...inner.points], facets: [] },
+    { facets: loops.map((list) => ({ loops: list })) },
+  );
+})();
 export const wrongDomains: readonly Case[] = [
   [
     'three points in space',
@@ -89,6 +113,30 @@ export const wrongDomains: readonly Case[] = [
     /no area/,
   ],
   [
+    'cubes too far apart for the tolerance',
+    'a.json',
+    domainJson(together(cube, box([1e7, 0, 0], [1e7 + 1, 1, 1]))),
+    'degenerateFacet',
+    'facet 0',
+    /area is 1, .* smaller tolerance/,
+  ],
+  [
+    'a cube as small as nothing',
+    'a.json',
+    domainJson(box([0, 0, 0], [1e-100, 1e-100, 1e-100])),
+    'scaleExtreme',
+    '',
+    /too small .* unit/,
+  ],
+  [
+    'a cube as large as all',
+    'a.json',
+    domainJson(box([0, 0, 0], [1e60, 1, 1])),
+    'scaleExtreme',
+    '',
+    /too large/,
+  ],
+  [
     'a facet with a corner twice',
     'a.json',
     domainJson(change(cube, (s) => s.facets[0]?.push(3))),
@@ -141,6 +189,22 @@ export const wrongDomains: readonly Case[] = [
     'selfIntersection',
     '*',
     /facets 1 and \d+ meet at \(.*, 1\.0/,
+  ],
+  [
+    'two boxes whose sides overlap in part',
+    'a.json',
+    domainJson(together(cube, box([1, 0.5, 0], [2, 1.5, 1]))),
+    'selfIntersection',
+    '*',
+    /facets \d+ and \d+ meet at \(1\.0/,
+  ],
+  [
+    'a tunnel closed by a lid that has the outside on both sides',
+    'a.json',
+    tunnelWithLid,
+    'openBoundary',
+    'facet 10',
+    /outside on both of its sides/,
   ],
   [
     'two boxes that overlap, in .stl',
@@ -196,6 +260,30 @@ export const wrongDomains: readonly Case[] = [
     'holeOutside',
     'hole 0',
     /remove it/,
+  ],
+  [
+    'a hole point on a facet',
+    'a.json',
+    domainJson(nested, { holes: [[1, 1.5, 1.5]] }),
+    'holeOutside',
+    'hole 0',
+    /on a facet/,
+  ],
+  [
+    'a region point between two regions',
+    'a.json',
+    domainJson(nested, { regions: [{ point: [1.5, 2, 1.5], id: 1 }] }),
+    'regionOutside',
+    'region 0',
+    /on a facet/,
+  ],
+  [
+    'two region points in one region',
+    'a.json',
+    domainJson(nested, { regions: [1.2, 1.8].map((x, id) => ({ point: [x, 1.5, 1.5], id })) }),
+    'regionOutside',
+    'region 1',
+    /no facet is between them/,
   ],
   [
     'a hole loop outside',

@@ -56,9 +56,9 @@ export const wrongFiles: readonly Case[] = [
     '1e999 in .json',
     'a.json',
     domainJson(cube).replace('[1,0,0]', '[1,1e999,0]'),
-    'syntax',
-    '',
-    /out of range|1e999/,
+    'notFinite',
+    'line 1',
+    /1e999 is more than a double can hold/,
   ],
   [
     'nan in .off',
@@ -125,7 +125,15 @@ export const wrongFiles: readonly Case[] = [
   ],
   ['a truncated .poly', 'a.poly', '8 3 0 0\n1 0 0 0\n', 'fileTruncated', 'line 2', /1 of the 8/],
 
-  ['JSON that is none', 'a.json', '{"format": dualblock}', 'syntax', 'line 1', /not JSON/],
+  ['JSON that is none', 'a.json', '{"format": dualblock}', 'syntax', 'line 1', /column 12: this is not JSON/],
+  [
+    'JSON with more after it',
+    'a.json',
+    `${domainJson(cube)}\n]`,
+    'syntax',
+    'line 2',
+    /more text after the end/,
+  ],
   ['another JSON', 'a.json', '{"name":"x"}', 'syntax', '', /dualblock-domain\/1/],
   [
     'JSON without vertices',
