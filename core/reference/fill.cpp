@@ -109,7 +109,7 @@ struct Located {
 };
 
 /// By barycentric coordinates. Points given by users often lie on faces of simplices.
-template <int N> Located locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
+template <int N> [[gnu::noinline]] Located locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
   constexpr double kOnFace = 1e-9;
   std::vector<Vec<N>> nodes = mesh.nodes;
   nodes.push_back(x);
@@ -136,7 +136,7 @@ template <int N> Located locate(const ReferenceMesh<N> &mesh, const Vec<N> &x) {
   return best;
 }
 
-template <int N> bool insideBox(const std::vector<Vec<N>> &vertices, const Vec<N> &x) {
+template <int N> [[gnu::noinline]] bool insideBox(const std::vector<Vec<N>> &vertices, const Vec<N> &x) {
   bool above = true;
   bool below = true;
   for (int k = 0; k < N; ++k) {
@@ -227,28 +227,42 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
   }
 }
 
+/// What is wrong with where a hole or a region is.
+[[gnu::noinline]] Error pointError(ErrorCode code, const char *kind, std::size_t number, const char *name,
+                                   const std::string &where) {
+  return {
+      code, name + std::to_string(number) + " lies " + where, {{kind, static_cast<std::int64_t>(number)}}};
+}
+
 /// Far too fine a mesh is refused before anybody waits for it.
-template <int N> std::optional<Error> checkEdgeLength(const Domain<N> &domain, double edgeLength) {
-  constexpr double kMost = 5e7;                    // simplices, ten times what 4 GB hold
-  constexpr double kUnit = N == 2 ? 0.433 : 0.118; // measure of a regular simplex
-  double measure = 0;                              // by the divergence theorem
-  for (const Facet &facet : domain.facets)
-    measure += glm::dot(domain.vertices[at(facet.loops[0][0])] - domain.vertices[0],
-                        areaVector(domain.vertices, facet)) /
-               (N == 2 ? 2 : 6);
-  const double simplices = std::abs(measure) / (kUnit * std::pow(edgeLength, N));
-  if (!(edgeLength > 0) || simplices <= kMost) return std::nullopt;
+[[gnu::noinline]] std::optional<Error> checkEdgeLength(double edgeLength, double simplices) {
+  constexpr double kMost = 5e7; // ten times what 4 GB hold
+  if (simplices <= kMost) return std::nullopt;
   return Error{ErrorCode::badOption,
                "Edges of " + formatNumber(edgeLength) + " would take about " + formatNumber(simplices) +
                    " simplices, and " + formatNumber(kMost) + " are the most: give a longer edge length.",
                {}};
 }
 
+/// How many regular simplices of an edge length have the measure of the domain.
+template <int N> [[gnu::noinline]] double simplicesOf(const Domain<N> &domain, double edgeLength) {
+  if (!(edgeLength > 0)) return 0;
+  double measure = 0; // by the divergence theorem
+  for (const Facet &facet : domain.facets)
+    measure += glm::dot(domain.vertices[at(facet.loops[0][0])] - domain.vertices[0],
+                        areaVector(domain.vertices, facet));
+  // N! times the measure; that of a simplex is 0.866 and 0.707.
+  double simplex = N == 2 ? 0.866 : 0.707;
+  for (int k = 0; k < N; ++k) simplex *= edgeLength;
+  return std::abs(measure) / simplex;
+}
+
 } // namespace
 
 template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const FillOptions &options) {
   if (!domain.reference)
-    if (auto error = checkEdgeLength(domain, options.edgeLength)) return *error;
+    if (auto error = checkEdgeLength(options.edgeLength, simplicesOf(domain, options.edgeLength)))
+      return *error;
   auto made = domain.reference ? fillByGiven(domain, options.planarTolerance)
                                : fillByTetgen(domain, options.edgeLength);
   if (!made.ok()) return made.error();
@@ -278,9 +292,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   std::vector<std::size_t> namedBy(at(cellCount), domain.regions.size());
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
     const auto refused = [&](const std::string &what) {
-      return Error{ErrorCode::regionOutside,
-                   "The point of region " + std::to_string(r) + " lies " + what,
-                   {{"region", static_cast<std::int64_t>(r)}}};
+      return pointError(ErrorCode::regionOutside, "region", r, "The point of region ", what);
     };
     const Located place = locate(mesh, domain.regions[r].point);
     if (place.simplex == kNone) return refused("outside the domain: move it inside.");
@@ -295,11 +307,9 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
   }
   for (std::size_t s = 0; s < cell.size(); ++s) mesh.region[s] = regionOfCell[at(cell[s])];
   for (std::size_t h = 0; h < domain.holes.size(); ++h) {
-    const auto refused = [&](const std::string &what) {
-      return Error{ErrorCode::holeOutside,
-                   "Hole " + std::to_string(h) + " lies " + what +
-                       ": move its point into the cavity, or remove it.",
-                   {{"hole", static_cast<std::int64_t>(h)}}};
+    const auto refused = [&](const char *where) {
+      return pointError(ErrorCode::holeOutside, "hole", h, "Hole ",
+                        std::string(where) + ": move its point into the cavity, or remove it.");
     };
     const Located place = locate(mesh, domain.holes[h]);
     if (place.simplex == kNone && !insideBox(domain.vertices, domain.holes[h]))
