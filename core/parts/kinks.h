@@ -2,6 +2,8 @@
 // meet. Internal to parts/.
 #pragma once
 
+#include <tuple>
+
 #include "parts/parts.h"
 
 namespace dualblock {
@@ -9,7 +11,7 @@ namespace dualblock {
 /// A node inside a curve, and the curve's part.
 struct Kink {
   Index node, part;
-  auto operator<=>(const Kink &) const = default;
+  bool operator<(const Kink &o) const { return std::tie(node, part) < std::tie(o.node, o.part); }
 };
 
 /// Ascending. Only curves between given sides have kinks, and only at bent ones: planes meet in straight
