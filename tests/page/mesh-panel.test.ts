@@ -63,6 +63,7 @@ describe('D̄-surfaces', () => {
       await page.locator('.sheets .extract').last().click();
       await settle(page);
       expect(await elements(page)).toBe(left);
+      expect(await page.evaluate(() => document.activeElement?.className)).toBe('put-back');
     }
     expect(await surfaces(page)).toBe(3);
     const { reference } = await viewOf(page);
@@ -140,11 +141,12 @@ describe('intervals', () => {
     const opened = await openMesh('protrusion');
     const { page } = opened;
     await setView(page, { refine: 100 });
-    expect(await page.textContent('#status')).toMatch(
-      /would have 80000000 elements, and 2000000 are the most/,
-    );
+    const refused = /make 80,000,000 elements, and the page draws 2,000,000 at most: .* 12,000,000/;
+    expect(await page.textContent('#status')).toMatch(refused);
+    await page.getByText(refused).last().waitFor(); // beside the picture, for as long as it holds
     await setView(page, { refine: 2 });
     expect(await elements(page)).toBe(640);
+    expect(await page.locator('.right').textContent()).not.toMatch(refused);
     expectNoProblems(opened);
     await page.close();
   });
@@ -171,10 +173,12 @@ describe('insertion', () => {
     const opened = await openMesh('tapered_brick');
     const { page } = opened;
     await setView(page, { refine: 1, selection: { kind: 'facet', id: 0 } });
+    await page.getByLabel('Share of the layer beside it').fill('0.2');
     await page.getByRole('button', { name: 'Insert along facet 0' }).click();
     await settle(page);
     expect([await elements(page), await surfaces(page)]).toEqual([12, 7]);
-    expect((await viewOf(page)).reference.insert).toEqual([{ facet: 0, share: 0.3 }]);
+    expect((await viewOf(page)).reference.insert).toEqual([{ facet: 0, share: 0.2 }]);
+    expect((await viewOf(page)).selection).toEqual({ kind: 'facet', id: 0 });
     // Pieces of a block know which one they were.
     const blocks = await page.evaluate(() => [...dualblock.stage.scene!.refinement!.block]);
     expect(new Set(blocks)).toEqual(new Set([0, 1, 2, 3, 4, 5, 6, 7]));

@@ -25,12 +25,15 @@ it('plays round by round, with the histogram, and is undone', async () => {
   await setView(page, { step: 8 });
   const last = [await canvasShot(page), await bars(page)];
   const relaxed = await worst(page);
+  expect(await page.textContent('.counts')).toMatch(/Before relaxation0\.\d{3}, mean 0\.\d{3}/);
   const rounds = await page.evaluate(() => dualblock.stage.scrubCount());
   expect(rounds).toBeGreaterThan(3);
   await page.getByRole('slider', { name: 'Rounds of relaxation' }).fill('0');
   await settle(page);
   expect(await page.textContent('.scrubber output')).toBe('as placed');
   expect(await worst(page)).toBeLessThan(relaxed);
+  const placed = (await worst(page)).toFixed(3);
+  expect(await page.textContent('.counts')).toContain(`Minimum scaled Jacobian, before relaxation${placed}`);
   const first = [await canvasShot(page), await bars(page)];
   expect(first).not.toEqual(last);
 

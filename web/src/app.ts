@@ -31,6 +31,10 @@ type RunSettings = Pick<ViewState, 'reference' | 'timeLimit'>;
 const madeOf = (model: ModelRef, reference: Reference): string =>
   `${modelKey(model)} ${JSON.stringify(Object.entries(reference).sort())}`;
 
+/** What another run of the same domain leaves as it is. */
+const ofDomain = (entity: Entity | null): Entity | null =>
+  entity && ['facet', 'curve', 'vertex'].includes(entity.kind) ? entity : null;
+
 export class App {
   readonly view = new Store<ViewState>(defaultState);
   readonly ui = new Store<UiState>(initialUi);
@@ -303,7 +307,13 @@ export class App {
     const { theme, projection, occlusion, layers, timeLimit } = state;
     const noMesh = model.result.onlyMatching;
     const fresh = keepView
-      ? { ...state, selection: null, isolated: null, hidden: [], scrub: defaultState.scrub }
+      ? {
+          ...state,
+          selection: ofDomain(state.selection),
+          isolated: null,
+          hidden: [],
+          scrub: defaultState.scrub,
+        }
       : { ...defaultState, step: state.step, theme, projection, occlusion, layers, timeLimit };
     const next = { ...fresh, ...patch, model: model.ref, reference: model.reference };
     if (noMesh && next.step > 4) next.step = 4;

@@ -56,6 +56,7 @@ export class Stage {
     this.scene?.dispose();
     this.scene = new ModelScene(model, this.theme);
     this.refining = null;
+    this.app.setUi({ refused: null });
     this.shownBy = null;
     this.problem = null;
     this.mark(marksInModel(model));
@@ -187,14 +188,16 @@ export class Stage {
         const block = refined.block.map((b) => layered[b]!);
         scene.setRefined({ ...refined, refinement, block });
         this.shownBy = { refine: state.refine, intervals: state.intervals, gradings: state.gradings };
-        this.app.setUi({ refinement: this.app.ui.state.refinement + 1 });
+        this.app.setUi({ refinement: this.app.ui.state.refinement + 1, refused: null });
         this.show();
       })
       .catch((error: unknown) => {
         if (this.refining !== mine) return;
         // What cannot be is not asked for again; what was cancelled is, when it is seen again.
-        if (error instanceof DualblockError) this.app.say(error.message);
-        else this.refining = null;
+        if (error instanceof DualblockError) {
+          this.app.say(error.message);
+          this.app.setUi({ refused: error.message });
+        } else this.refining = null;
       })
       .finally(() => {
         this.isRefining = false;
@@ -205,6 +208,7 @@ export class Stage {
 
   /** After a refinement was cancelled: the view asks again for what is shown, or for the blocks. */
   backToShownRefinement(): void {
+    this.app.setUi({ refused: null });
     this.app.view.set(this.shownBy ?? { step: 8, compare: null }, { silent: true });
   }
 

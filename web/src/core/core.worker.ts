@@ -1,7 +1,13 @@
 // The module worker that owns the core, and packs what the page draws.
 import { Dualblock } from '../../../wasm/dualblock.ts';
 import { DualblockError } from '../../../wasm/io/errors.ts';
-import { mostElements, type RefinedMesh, Refiner } from '../../../wasm/refine.ts';
+import {
+  mostElements,
+  type RefinedMesh,
+  type RefineInput,
+  type Refinement,
+  Refiner,
+} from '../../../wasm/refine.ts';
 import type { CoreError, RunResult } from '../../../wasm/result.ts';
 import { displayRefined } from '../display/blocks.ts';
 import { buffersOf, displayOf } from '../display/display.ts';
@@ -57,9 +63,36 @@ async function refine({
   const progress = (done: number): void => {
     reply({ kind: 'progress', id, stage: 'refinement', done: share * done });
   };
-  const made = (await refiner).refine(mesh, refinement, progress, whole ? mostElements : mostDrawn);
+  const made = refined(await refiner, mesh, refinement, progress, whole);
   if (made.quality.length > 200_000) refiner = null;
   return made;
+}
+
+/** A mesh that is too large to be drawn is no mistake: files may hold more. */
+function refined(
+  module: Refiner,
+  mesh: RefineInput,
+  refinement: Refinement,
+  progress: (done: number) => void,
+  whole: boolean,
+): RefinedMesh {
+  try {
+    return module.refine(mesh, refinement, progress, whole ? mostElements : mostDrawn);
+  } catch (error) {
+    const count = error instanceof DualblockError && / (\d+) elements, and 2000000 are/.exec(error.message);
+    if (!count) throw error;
+    const [asked, drawn, filed] = [Number(count[1]), mostDrawn, mostElements].map((n) =>
+      n.toLocaleString('en'),
+    );
+    throw new DualblockError(
+      'badOption',
+      `These intervals make ${asked} elements, and the page draws ${drawn} at most: give fewer. ${
+        Number(count[1]) <= mostElements
+          ? 'Files can be made of them all the same.'
+          : `Files take up to ${filed}.`
+      }`,
+    );
+  }
 }
 
 /** Arrays move to the page instead of being copied. */

@@ -1,13 +1,14 @@
 // What each step is, in two sentences, where the paper has it, and its numbers for the shown model.
 
 import type { Refinement } from '../../../wasm/refine.ts';
-import { featureKinds, tallyFeatures } from '../../../wasm/report.ts';
+import { featureKinds, summarize, tallyFeatures } from '../../../wasm/report.ts';
 import type { Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
 import { elementCount, intervalsAcross, type SurfaceLayer, surfaceLayers } from './final-mesh.ts';
 import { kindName, type Model } from './model.ts';
 import { facetOfSide, relate, sidesOfContribution } from './provenance.ts';
+import { roundCount, roundOf } from './relaxation.ts';
 
 export interface Explanation {
   text: string;
@@ -21,7 +22,12 @@ export interface Explanation {
 const plural = (n: number, one: string, many = `${one}s`): string =>
   `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
 
-export function explain({ result, display }: Model, step: Step, refinement: Refinement | null): Explanation {
+export function explain(
+  { result, display }: Model,
+  step: Step,
+  refinement: Refinement | null,
+  round: number | null = null,
+): Explanation {
   const { dimension, reference, parts, contributions, primal, domain, features } = result;
   const flat = dimension === 2;
   const simplexName = flat ? 'triangle' : 'tetrahedron';
@@ -133,17 +139,31 @@ export function explain({ result, display }: Model, step: Step, refinement: Refi
         invariant: 'Edges and faces are derived twice, from the dual and from the blocks, and agree.',
       };
     case 8: {
-      const { quality } = primal;
+      const { quality } = roundOf(result, round);
+      const before = roundCount(result) > 0 ? summarize(roundOf(result, 0).quality) : null;
       const euler = nodes - primal.edges.length / 2 + primal.faces.length / 4 - (flat ? 0 : quality.length);
-      const least = quality.reduce((a, b) => Math.min(a, b), 1);
-      const mean = quality.reduce((a, b) => a + b, 0) / Math.max(1, quality.length);
+      const shape = summarize(quality);
+      const moment =
+        round === null || round >= roundCount(result)
+          ? ''
+          : round === 0
+            ? ', before relaxation'
+            : `, after ${plural(round, 'round')}`;
       return {
         text: `${flat ? 'Where two D̄-curves cross' : 'Where three D̄-surfaces cross'} there is a block, a ${flat ? 'quadrilateral' : 'hexahedron'}. Colours show its scaled Jacobian: 1 for a ${flat ? 'rectangle' : 'box'}, 0 and below for a block that is of no use.`,
         section: 'Paper, sections 2.1 and 5, figures 13 and 14',
         counts: [
           ['Blocks', number(quality.length)],
-          ['Minimum scaled Jacobian', quality.length ? least.toFixed(3) : '–'],
-          ['Mean', quality.length ? mean.toFixed(3) : '–'],
+          [`Minimum scaled Jacobian${moment}`, shape ? shape.min.toFixed(3) : '–'],
+          [`Mean${moment}`, shape ? shape.mean.toFixed(3) : '–'],
+          ...(before && moment === ''
+            ? [
+                ['Before relaxation', `${before.min.toFixed(3)}, mean ${before.mean.toFixed(3)}`] as [
+                  string,
+                  string,
+                ],
+              ]
+            : []),
         ],
         invariant: result.certificate.valid
           ? `V − E + F${flat ? '' : ' − B'} = ${String(euler).replace('-', '−')}: the Euler characteristic of the domain.`

@@ -77,11 +77,13 @@ export function Header() {
         <IconButton label="Undo" keys="Ctrl+Z" disabled={!canUndo} onClick={() => app.undo()}>
           <Icon name="undo" />
         </IconButton>
+        {(!phone || canRedo) && (
+          <IconButton label="Redo" keys="Shift+Ctrl+Z" disabled={!canRedo} onClick={() => app.redo()}>
+            <Icon name="redo" />
+          </IconButton>
+        )}
         {!phone && (
           <>
-            <IconButton label="Redo" keys="Shift+Ctrl+Z" disabled={!canRedo} onClick={() => app.redo()}>
-              <Icon name="redo" />
-            </IconButton>
             <IconButton
               label="Light or dark"
               keys="T"

@@ -1,17 +1,31 @@
 // The mesh that is handed out: which D̄-surfaces it keeps, and how finely its blocks are divided.
+import { useState } from 'preact/hooks';
 import type { Mode, Objective } from '../../../wasm/settings.ts';
+import type { App } from '../app.ts';
 import { elementCount, layeredSurface, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
 import { cssColour, distinct } from '../scene/palette.ts';
-import { mostGrowth, mostIntervals } from '../state/view-state.ts';
+import { mostGrowth, mostIntervals, type Reference } from '../state/view-state.ts';
 import { Choice, Icon, IconButton, Slider, Swatch } from './controls.tsx';
 import { useApp, useUi, useView } from './hooks.ts';
 
 /** Most that a slider reaches; links may ask for more. */
 const sliderIntervals = 32;
-/** Of the layer that is split, what the new one gets. */
-const newShare = 0.3;
+/** Of the layer that is split, what the new one gets, unless somebody says otherwise. */
+const usualShare = 0.3;
 /** D̄-surfaces that are listed. */
 const longestList = 300;
+
+/** Another run; where the button that asked for it is gone then, the focus stays near. */
+async function changeMesh(app: App, change: Partial<Reference>): Promise<void> {
+  const section = document.activeElement?.closest('section');
+  await app.setReference(change);
+  await new Promise(requestAnimationFrame); // the panel is drawn anew
+  if (document.activeElement !== document.body) return;
+  const near =
+    document.querySelector<HTMLElement>('.put-back') ??
+    section?.querySelector<HTMLElement>('button:not(:disabled)');
+  near?.focus();
+}
 
 export function MeshPanel() {
   const app = useApp();
@@ -61,7 +75,11 @@ function Blocks() {
           : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
       </p>
       {extract.length > 0 && (
-        <button type="button" onClick={() => void app.setReference({ extract: extract.slice(0, -1) })}>
+        <button
+          type="button"
+          class="put-back"
+          onClick={() => void changeMesh(app, { extract: extract.slice(0, -1) })}
+        >
           Put D̄-surface {extract.at(-1)} back
         </button>
       )}
@@ -151,7 +169,7 @@ function Surfaces() {
                 aria-label={`Extract ${name} ${surface}`}
                 title="Collapse its layer of blocks"
                 disabled={layers.length < 2 || layered(surface) !== surface}
-                onClick={() => void app.setReference({ extract: [...reference.extract, surface] })}
+                onClick={() => void changeMesh(app, { extract: [...reference.extract, surface] })}
               >
                 Extract
               </button>
@@ -183,6 +201,7 @@ function BoundaryLayers() {
   const { dimension, domain } = app.model!.result;
   const facetName = dimension === 2 ? 'segment' : 'facet';
   const chosen = selection?.kind === 'facet' ? selection.id : null;
+  const [share, setShare] = useState(usualShare);
   return (
     <section aria-label="Boundary layers">
       <h3>Boundary layers</h3>
@@ -222,11 +241,20 @@ function BoundaryLayers() {
       >
         {chosen === null ? `Grade towards a selected ${facetName}` : `Grade towards ${facetName} ${chosen}`}
       </button>
+      <Slider
+        label="Share of the layer beside it"
+        min={0.05}
+        max={0.95}
+        step={0.05}
+        value={share}
+        text={`${Math.round(100 * share)} %`}
+        onInput={setShare}
+      />
       <button
         type="button"
         disabled={chosen === null}
         onClick={() => {
-          const along = { facet: domain.facetOfGiven.indexOf(chosen!), share: newShare };
+          const along = { facet: domain.facetOfGiven.indexOf(chosen!), share };
           void app.setReference({ insert: [...reference.insert, along] });
         }}
       >

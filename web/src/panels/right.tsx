@@ -25,8 +25,10 @@ export function ExplainPanel() {
   const app = useApp();
   const step = useView((s) => s.step);
   const state = useView((s) => (s.step === 9 ? s : null));
+  const round = useView((s) => (s.step === 8 ? s.scrub.relaxation : null));
   useUi((s) => s.model);
   useUi((s) => s.refinement);
+  const refused = useUi((s) => (step === 9 ? s.refused : null));
   const { model } = app;
   if (!model) return <p class="hint">Nothing is loaded yet.</p>;
   const refined = step === 9 ? app.stage.scene?.refinement : null;
@@ -35,6 +37,7 @@ export function ExplainPanel() {
     model,
     step,
     state ? refinementOf(state, model.result) : null,
+    round,
   );
   const first = text.indexOf('. ') + 1;
   return (
@@ -54,6 +57,13 @@ export function ExplainPanel() {
           </div>
         ))}
       </dl>
+      {refused && (
+        <p class="invariant bad">
+          {refused}{' '}
+          {refined &&
+            `The picture still shows the mesh of ${refined.allQuality.length.toLocaleString('en')}.`}
+        </p>
+      )}
       {drawn && (
         <p class="hint">
           Of so many elements only those at the boundary are drawn, {drawn.length.toLocaleString('en')}: a

@@ -24,6 +24,8 @@ export interface UiState {
   busy: { title: string; stage: string; done: number } | null;
   /** Step 9 waits for a large mesh: the share of the work done. */
   refining: number | null;
+  /** Why the picture does not show the refined mesh that was asked for. */
+  refused: string | null;
   problem: Problem | null;
   /** The culprits of a problem are shown in place of the model. */
   showingProblem: boolean;
@@ -53,6 +55,7 @@ export interface UiState {
 export const initialUi: UiState = {
   busy: null,
   refining: null,
+  refused: null,
   problem: null,
   showingProblem: false,
   notice: '',
