@@ -173,7 +173,7 @@ describe('insertion', () => {
     const opened = await openMesh('tapered_brick');
     const { page } = opened;
     await setView(page, { refine: 1, selection: { kind: 'facet', id: 0 } });
-    await page.getByLabel('Share of the layer beside it').fill('0.2');
+    await page.getByLabel('New layer').fill('0.2');
     await page.getByRole('button', { name: 'Insert along facet 0' }).click();
     await settle(page);
     expect([await elements(page), await surfaces(page)]).toEqual([12, 7]);

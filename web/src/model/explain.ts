@@ -10,11 +10,13 @@ import { kindName, type Model } from './model.ts';
 import { facetOfSide, relate, sidesOfContribution } from './provenance.ts';
 import { roundCount, roundOf } from './relaxation.ts';
 
+type Count = [string, string];
+
 export interface Explanation {
   text: string;
   section: string;
   /** Name and value. */
-  counts: [string, string][];
+  counts: Count[];
   /** What holds, in one line. */
   invariant: string;
 }
@@ -143,26 +145,24 @@ export function explain(
       const before = roundCount(result) > 0 ? summarize(roundOf(result, 0).quality) : null;
       const euler = nodes - primal.edges.length / 2 + primal.faces.length / 4 - (flat ? 0 : quality.length);
       const shape = summarize(quality);
-      const moment =
-        round === null || round >= roundCount(result)
-          ? ''
-          : round === 0
-            ? ', before relaxation'
-            : `, after ${plural(round, 'round')}`;
+      const isPlayed = round !== null && round < roundCount(result);
       return {
         text: `${flat ? 'Where two D̄-curves cross' : 'Where three D̄-surfaces cross'} there is a block, a ${flat ? 'quadrilateral' : 'hexahedron'}. Colours show its scaled Jacobian: 1 for a ${flat ? 'rectangle' : 'box'}, 0 and below for a block that is of no use.`,
         section: 'Paper, sections 2.1 and 5, figures 13 and 14',
         counts: [
           ['Blocks', number(quality.length)],
-          [`Minimum scaled Jacobian${moment}`, shape ? shape.min.toFixed(3) : '–'],
-          [`Mean${moment}`, shape ? shape.mean.toFixed(3) : '–'],
-          ...(before && moment === ''
+          ['Minimum scaled Jacobian', shape ? shape.min.toFixed(3) : '–'],
+          ['Mean', shape ? shape.mean.toFixed(3) : '–'],
+          ...(before && !isPlayed
             ? [
-                ['Before relaxation', `${before.min.toFixed(3)}, mean ${before.mean.toFixed(3)}`] as [
-                  string,
-                  string,
-                ],
+                [
+                  'Before relaxation',
+                  `${before.min.toFixed(3)}, mean ${before.mean.toFixed(3)}`,
+                ] satisfies Count,
               ]
+            : []),
+          ...(isPlayed
+            ? [['Relaxation', round === 0 ? 'as placed' : `after ${plural(round, 'round')}`] satisfies Count]
             : []),
         ],
         invariant: result.certificate.valid

@@ -207,7 +207,8 @@ function BoundaryLayers() {
       <h3>Boundary layers</h3>
       <p class="hint">
         Select a {facetName} in step 1. Elements can get larger by a factor from one to the next, away from
-        it; and a D̄-surface can be inserted along its side, which splits the layer of blocks there.
+        it; and a D̄-surface can be inserted along its side, which splits the layer of blocks there: the new
+        one gets a share of it.
       </p>
       {Object.entries(gradings).map(([facet, growth]) => (
         <div class="grading" key={facet}>
@@ -242,7 +243,7 @@ function BoundaryLayers() {
         {chosen === null ? `Grade towards a selected ${facetName}` : `Grade towards ${facetName} ${chosen}`}
       </button>
       <Slider
-        label="Share of the layer beside it"
+        label="New layer"
         min={0.05}
         max={0.95}
         step={0.05}
