@@ -67,8 +67,14 @@ std::vector<Index> coarsen(const ReferenceMesh<N> &mesh, const Parts<N> &feature
       Extraction<N> trial = extract(mesh, freedom, blocks, surface);
       if (!trial.why.empty() || wrapsBentSide(mesh, trial.blocks, trial.isNear)) continue;
       Freedom<N> after(mesh, features, featureNodes, trial.blocks);
-      relax(after, trial.blocks, {}, trial.isNear);
-      if (worstNear(trial.blocks, trial.isNear) < options.floor || !options.isValid(trial.blocks)) continue;
+      // Lightly first: that shows most of those that will do, and of those that are turned inside out.
+      double worst = 0;
+      for (const RelaxOptions &effort : {RelaxOptions{{}, 2, 4}, RelaxOptions{}}) {
+        relax(after, trial.blocks, effort, trial.isNear);
+        worst = worstNear(trial.blocks, trial.isNear);
+        if (worst <= 0 || worst >= options.floor) break;
+      }
+      if (worst < options.floor || !options.isValid(trial.blocks)) continue;
       blocks = std::move(trial.blocks);
       freedom = std::move(after);
       extracted.push_back(surface);
