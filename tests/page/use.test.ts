@@ -146,7 +146,7 @@ describe('a long refinement', () => {
   it('for a file shows its progress in the dialog, and cancelled writes none', async () => {
     const opened = await host.open();
     const { page } = opened;
-    await page.evaluate(() => dualblock.openExample('protrusion', { step: 8, refine: 29 }));
+    await page.evaluate((refine) => dualblock.openExample('protrusion', { step: 8, refine }), large);
     await settle(page);
     const downloads: unknown[] = [];
     page.on('download', (download) => downloads.push(download));

@@ -13,11 +13,8 @@ import { ModelScene } from './scene/model-scene.ts';
 import { type Theme, themes } from './scene/palette.ts';
 import type { SliceHandle } from './scene/slice-handle.ts';
 import { Viewer } from './scene/viewer.ts';
-import type { Problem } from './state/ui-state.ts';
+import { type Problem, unnoticed } from './state/ui-state.ts';
 import type { ViewState } from './state/view-state.ts';
-
-/** Milliseconds that need no sign of progress. */
-const unnoticed = 300;
 
 export class Stage {
   readonly viewer: Viewer;

@@ -5,7 +5,7 @@ import { actions } from '../actions.ts';
 import { download, exporters, pictureOf, type Work } from '../export.ts';
 import { elementCount, refinementOf } from '../model/final-mesh.ts';
 import { figures } from '../model/paper.ts';
-import type { Dialog as DialogName } from '../state/ui-state.ts';
+import { type Dialog as DialogName, unnoticed } from '../state/ui-state.ts';
 import { Busy, Check, Choice, Icon, IconButton } from './controls.tsx';
 import { useApp, useUi } from './hooks.ts';
 
@@ -180,7 +180,7 @@ function Export() {
       await work({
         signal: mine.signal,
         progress: (text, done) => {
-          if (performance.now() - began > 300) setWorking({ text, done });
+          if (performance.now() - began > unnoticed) setWorking({ text, done });
         },
       });
     } catch (error) {

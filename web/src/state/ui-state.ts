@@ -19,6 +19,9 @@ export type Dialog = 'help' | 'share' | 'export' | 'paper' | 'commands';
 export type LeftTab = 'model' | 'mesh' | 'layers' | 'filters' | 'look';
 export type SheetTab = LeftTab | 'explain' | 'selection';
 
+/** Milliseconds of work that need no sign of progress. */
+export const unnoticed = 300;
+
 export interface UiState {
   /** A run under way. */
   busy: { title: string; stage: string; done: number } | null;
