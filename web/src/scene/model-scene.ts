@@ -246,7 +246,8 @@ export class ModelScene {
 
   private mark(id: LayerId, layer: Layer): void {
     const { related, selection } = this;
-    if (!related || !selection || id === 'crossings') {
+    // An edge of several blocks has one element only, by which it would be lit or not.
+    if (!related || !selection || id === 'crossings' || id === 'outline') {
       layer.mark(null);
       return;
     }
