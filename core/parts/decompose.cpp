@@ -22,12 +22,20 @@ public:
     for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
   }
 
-  /// `share`: of the whole budget that may be spent so far.
-  void update(const ReferenceMesh<N> &mesh, double share = 1) {
+  void update(const ReferenceMesh<N> &mesh) { spend(mesh, 1, std::vector<bool>(gaveUp.size(), false)); }
+
+  /// Components that may not be cut any more, as they have spent more than a `share` of the whole budget;
+  /// those that `suffice` as they are do not give up.
+  std::vector<bool> spend(const ReferenceMesh<N> &mesh, double share, const std::vector<bool> &suffice) {
     const std::vector<Index> now = sizes(mesh);
     const bool isTooLarge = limit_ > 0 && mesh.simplexCount() > limit_;
-    for (std::size_t c = 0; c < now.size(); ++c)
-      if (isTooLarge || now[c] > share * limits_[c]) gaveUp[c] = true;
+    std::vector<bool> isDone = gaveUp;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (!isTooLarge && now[c] <= share * limits_[c]) continue;
+      isDone[c] = true;
+      if (!suffice[c]) gaveUp[c] = true;
+    }
+    return isDone;
   }
 
   void limitBlocks(const ReferenceMesh<N> &mesh, const Parts<N> &parts,
@@ -55,6 +63,46 @@ private:
   std::vector<Index> limits_; // per component
   Index limit_;
 };
+
+/// Per component, whether all its parts are simple.
+std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
+  std::vector<bool> simple(at(mesh.componentCount), true);
+  const std::vector<Index> component = componentOfParts(mesh, parts);
+  for (std::size_t p = 0; p < parts.parts.size(); ++p)
+    if (!parts.parts[p].simple) simple[at(component[p])] = false;
+  return simple;
+}
+
+/// Rule 3. Where all parts of a component are simple, further cuts only better their shape: the first one
+/// that leaves one that is not is taken back, and is the last.
+void cutBentParts(ReferenceMesh<3> &mesh, const DecomposeOptions &options, Budget<3> &budget,
+                  Decomposition<3> &result) {
+  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
+    return;
+  std::vector<bool> simple = simpleComponents(mesh, result.parts);
+  std::vector<bool> isSettled(simple.size(), false);
+  std::vector<bool> isDone = budget.gaveUp;
+  for (int round = 0; round < kBentRounds; ++round) {
+    const ReferenceMesh<3> before = mesh;
+    if (!cutBentPart(mesh, result.parts, options, isDone)) break;
+    Parts<3> parts = buildParts(mesh, PartOptions{});
+    const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
+    bool isWorse = false;
+    for (std::size_t c = 0; c < simple.size(); ++c) {
+      if (!simple[c] || isSimpleNow[c]) continue;
+      isSettled[c] = isDone[c] = isWorse = true;
+    }
+    if (isWorse) {
+      mesh = before;
+      continue;
+    }
+    ++result.bentCuts;
+    result.parts = std::move(parts);
+    simple = isSimpleNow;
+    isDone = budget.spend(mesh, kBentShare, simple);
+    for (std::size_t c = 0; c < simple.size(); ++c) isDone[c] = isDone[c] || isSettled[c];
+  }
+}
 
 /// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
 /// serve several curves, the first one decides.
@@ -115,12 +163,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {
-    for (int round = 0; round < kBentRounds; ++round) {
-      if (!cutBentPart(mesh, result.parts, options, budget.gaveUp)) break;
-      ++result.bentCuts;
-      result.parts = buildParts(mesh, partOptions);
-      budget.update(mesh, kBentShare);
-    }
+    cutBentParts(mesh, options, budget, result);
     const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                     [](const Corner &c) { return c.sides.size() > 3; });
     if (needed) result.pulled = pullParts(mesh, result.parts, options.apex);
