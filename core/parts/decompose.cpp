@@ -83,7 +83,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const DecomposeOptions &options, Budge
   std::vector<bool> isSettled(simple.size(), false);
   std::vector<bool> isDone = budget.gaveUp;
   for (int round = 0; round < kBentRounds; ++round) {
-    const ReferenceMesh<3> before = mesh;
+    ReferenceMesh<3> before = mesh;
     if (!cutBentPart(mesh, result.parts, options, isDone)) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
@@ -93,7 +93,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const DecomposeOptions &options, Budge
       isSettled[c] = isDone[c] = isWorse = true;
     }
     if (isWorse) {
-      mesh = before;
+      mesh = std::move(before);
       continue;
     }
     ++result.bentCuts;

@@ -26,9 +26,9 @@ template <int N> struct RefinedMesh {
   Index straightened = 0; // blocks that bent sides would have made invalid: their elements are straight
 };
 
-/// Divides valid blocks. Nodes on bent sides and curves lie on them; where that would invert an element, the
-/// block's edges and faces stay straight. `progress`: the share of the work done. Errors (badOption): see
-/// spacingOf, and more elements than the limit.
+/// Divides valid blocks. Nodes on bent sides and curves lie on them; where an element would be inverted
+/// whatever is tried (NodePlacer), the block's edges and faces stay straight. `progress`: the share of the
+/// work done. Errors (badOption): see spacingOf, and more elements than the limit.
 template <int N>
 Result<RefinedMesh<N>> refineBlocks(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface,
                                     const BentShape<N> &shape, const RefineOptions &options,

@@ -82,7 +82,7 @@ export function findSides({ domain }: Solid, patches: Patch[], ridges: Ridge[], 
   for (const { ends, uses, bend } of ridges) {
     const tolerance = Math.max(...[...uses.keys()].map((p) => patches[p]?.tolerance ?? 0));
     for (const [p, sign] of uses) {
-      ofPatch[p]?.push({ ends: sign > 0 ? ends : [ends[1], ends[0]], uses: new Map([[p, Math.abs(sign)]]) });
+      ofPatch[p]?.push({ ends, uses: new Map([[p, sign]]) });
       slacks[p] = Math.max(slacks[p] ?? 0, tolerance + 2 * bend);
     }
   }

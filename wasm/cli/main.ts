@@ -64,7 +64,8 @@ async function run(command: Run): Promise<number> {
     const error = asDualblockError(thrown);
     const { code, message, entities } = error;
     await putReport(command.report, makeErrorReport(inputName, settings, { code, message, entities }));
-    const text = message.replace(`${inputName} `, () => 'the file '); // which has been named
+    const isNamed = message.startsWith(`${inputName} `);
+    const text = isNamed ? `the file${message.slice(inputName.length)}` : message;
     process.stderr.write(`dualblock: ${inputName}: ${text} [${code}]\n`);
     return statusOf(error);
   } finally {

@@ -79,17 +79,14 @@ function refined(
   try {
     return module.refine(mesh, refinement, progress, whole ? mostElements : mostDrawn);
   } catch (error) {
-    const count = error instanceof DualblockError && / (\d+) elements, and 2000000 are/.exec(error.message);
+    const beyond = new RegExp(` (\\d+) elements, and ${mostDrawn} are`);
+    const count = error instanceof DualblockError && Number(beyond.exec(error.message)?.[1]);
     if (!count) throw error;
-    const [asked, drawn, filed] = [Number(count[1]), mostDrawn, mostElements].map((n) =>
-      n.toLocaleString('en'),
-    );
+    const [asked, drawn, filed] = [count, mostDrawn, mostElements].map((n) => n.toLocaleString('en'));
     throw new DualblockError(
       'badOption',
       `These intervals make ${asked} elements, and the page draws ${drawn} at most: give fewer. ${
-        Number(count[1]) <= mostElements
-          ? 'Files can be made of them all the same.'
-          : `Files take up to ${filed}.`
+        count <= mostElements ? 'Files can be made of them all the same.' : `Files take up to ${filed}.`
       }`,
     );
   }
