@@ -24,35 +24,40 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
   Axis axis;
   if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
   const double reach = kOnAxis * v.mesh.size;
-  std::vector<Axis> others;
+  struct Other {
+    Axis axis;
+    std::span<const Index> nodes;
+  };
+  std::vector<Other> others;
   Axis opposite; // the other end of a bent side that the loop bounds
   Index ends = 0;
   for (const Loop &other : loops) {
     Axis o;
     if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, o)) continue;
-    others.push_back(o);
+    others.push_back({o, other.chain.nodes});
     for (const Index side : loop.sides)
       if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {
         opposite = o;
         ++ends;
       }
   }
-  others.push_back(axis);
+  others.push_back({axis, {}});
   // A tube runs from end to end, which need not be square to its ends.
   if (ends == 1 && glm::length(opposite.centre - axis.centre) > 1e3 * reach) {
     const Vec<3> along = glm::normalize(opposite.centre - axis.centre);
     if (std::abs(glm::dot(along, axis.direction)) > 0.5) axis.direction = along;
   }
   // Axes that are this one tell nothing about directions.
-  const auto isSame = [&](const Axis &o) {
+  const auto isSame = [&](const Other &other) {
+    const Axis &o = other.axis;
     return glm::length(glm::cross(o.centre - axis.centre, axis.direction)) <= reach &&
            glm::length(glm::cross(o.direction, axis.direction)) <= kOnAxis;
   };
   others.erase(std::remove_if(others.begin(), others.end(), isSame), others.end());
   std::vector<Vec<3>> targets;
-  for (const Axis &o : others) {
-    targets.push_back(o.centre);
-    targets.push_back(axis.centre + o.direction * v.mesh.size);
+  for (const Other &o : others) {
+    targets.push_back(o.axis.centre);
+    targets.push_back(axis.centre + o.axis.direction * v.mesh.size);
   }
   for (const Corner *corner : v.corners) targets.push_back(v.node(corner->node));
   for (int k = 0; k < 3; ++k) {
@@ -68,10 +73,14 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
     if (glm::length(across) <= 1e3 * reach) continue;
     const Plane<3> plane = planeThrough(axis.centre, across);
     Score score{0, 0, 0, 0};
-    for (const Axis &o : others)
-      if (std::abs(plane.distance(o.centre)) <= reach &&
-          std::abs(glm::dot(o.direction, plane.normal)) <= kOnAxis)
-        ++std::get<0>(score);
+    std::vector<Index> from = loop.chain.nodes;
+    for (const Other &o : others) {
+      if (std::abs(plane.distance(o.axis.centre)) > reach ||
+          std::abs(glm::dot(o.axis.direction, plane.normal)) > kOnAxis)
+        continue;
+      ++std::get<0>(score);
+      from.insert(from.end(), o.nodes.begin(), o.nodes.end()); // as far as the plane goes
+    }
     const Vec<3> towards = target - axis.centre;
     int behind = 0;
     for (const Corner *corner : v.corners) {
@@ -92,7 +101,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
     });
     if (known != ranked.end() && known->first >= score) continue;
     ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
-                                        half ? halfOf(v, loop.chain, axis, towards) : loop.chain.nodes});
+                                        half ? halfOf(v, loop.chain, axis, towards) : std::move(from)});
   }
   sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
   constexpr std::size_t kTried = 8;

@@ -52,6 +52,27 @@ std::optional<Proposal> halve(const PartView &v) {
   return std::nullopt;
 }
 
+/// A bent side that is closed in itself, a void in the part: across the part, through its middle.
+std::optional<Proposal> throughVoid(const PartView &v, Index side) {
+  if (std::any_of(v.curves.begin(), v.curves.end(), [&](const Curve<3> *curve) {
+        return curve->sides[0] == side || curve->sides[1] == side;
+      }))
+    return std::nullopt;
+  Vec<3> middle{0.0};
+  double area = 0;
+  std::vector<Index> from;
+  for (const FaceRef<3> *f = v.parts.sideFaces.begin(side); f != v.parts.sideFaces.end(side); ++f) {
+    const auto face = v.mesh.sortedFace(f->simplex, f->face);
+    const double a = glm::length(
+        glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0])));
+    middle += a / 3 * (v.node(face[0]) + v.node(face[1]) + v.node(face[2]));
+    area += a;
+    from.insert(from.end(), face.begin(), face.end());
+  }
+  if (!(area > 0)) return std::nullopt;
+  return Proposal{planeSurface(middle / area, {0, 0, 1}), std::move(from)};
+}
+
 /// Two sides that meet in several curves: between the first of them and the others.
 std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &chains) {
   Proposal proposal{planeSurface({}, {0, 0, 1}), {}};
@@ -207,6 +228,8 @@ std::vector<Proposal> proposals(const PartView &v) {
     add(halve(v));
     return list;
   }
+  for (const Index *side = first; side != last; ++side)
+    if (v.isBent(*side)) add(throughVoid(v, *side));
   std::vector<Loop> loops;
   std::vector<std::vector<Chain>> several;
   for (const Curve<3> *curve : v.curves) {
@@ -249,16 +272,21 @@ std::vector<Index> simplicesOf(const ReferenceMesh<3> &mesh, const PartView &v) 
 
 bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
               const CutOptions &options) {
-  if (proposal.surface.field) resolve(mesh, *proposal.surface.field, options.tolerance, false);
   std::vector<Index> from = proposal.from;
   sortItems(from);
-  std::vector<CutSeed<3>> seeds;
-  for (const Index s : simplicesOf(mesh, v)) {
-    const bool touches =
-        from.empty() || std::any_of(mesh.simplices[at(s)].begin(), mesh.simplices[at(s)].end(),
-                                    [&](Index n) { return std::binary_search(from.begin(), from.end(), n); });
-    if (touches) seeds.push_back({s});
-  }
+  const auto seedsNow = [&] {
+    std::vector<CutSeed<3>> seeds;
+    for (const Index s : simplicesOf(mesh, v)) {
+      const auto &nodes = mesh.simplices[at(s)];
+      const bool touches = from.empty() || std::any_of(nodes.begin(), nodes.end(), [&](Index n) {
+                             return std::binary_search(from.begin(), from.end(), n);
+                           });
+      if (touches) seeds.push_back({s});
+    }
+    return seeds;
+  };
+  if (proposal.surface.field) resolve<3>(mesh, proposal.surface, seedsNow, options.tolerance, false);
+  const std::vector<CutSeed<3>> seeds = seedsNow();
   const Index surface = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back(proposal.surface);
   if (cutAlong<3>(mesh, surface, seeds, options.tolerance) > 0) return true;

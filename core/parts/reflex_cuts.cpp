@@ -18,6 +18,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
+constexpr double kAlike = pi / 18;  // angles along a run that differ by less do so by the bent side's facets
 
 /// Whether the plane already is a split surface at this ridge.
 template <int N>
@@ -74,18 +75,43 @@ std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, c
   return runs;
 }
 
+template <int N>
+const Surface<N> &surfaceOf(const ReferenceMesh<N> &mesh, const Curve<N> &curve, std::size_t ridge,
+                            std::size_t side) {
+  return mesh.surfaces[at(FaceTag::surface(curve.frames[ridge].tags[side]))];
+}
+
+/// The angle between a bent side and a plane one along a run: its facets tilt, so one angle for all, square
+/// where it is nearly that. None where the angle really changes, or both sides are of one kind.
+template <int N>
+std::optional<double> steadyAngle(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
+                                  const std::vector<std::size_t> &run) {
+  if (surfaceOf(mesh, curve, run[0], 0).bent == surfaceOf(mesh, curve, run[0], 1).bent) return std::nullopt;
+  double mean = 0;
+  for (const std::size_t k : run) mean += curve.frames[k].angle / static_cast<double>(run.size());
+  for (const std::size_t k : run)
+    if (std::abs(curve.frames[k].angle - mean) > kAlike) return std::nullopt;
+  return std::abs(mean - 1.5 * pi) < kAlike ? 1.5 * pi : mean;
+}
+
 /// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one
-/// holds the whole run, else the planes of all ridges. Where it extends a facet it is the facet's own plane,
-/// so that neighbouring curves share it to the last bit.
+/// holds the whole run, else the planes of all ridges. Where it extends a plane facet it is the facet's own
+/// plane, so that neighbouring curves share it to the last bit.
 template <int N>
 Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
                           const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
+  const std::optional<double> steady = steadyAngle(mesh, curve, run);
   const auto planeOf = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
+    const auto facet = [&](std::size_t side) { return surfaceOf(mesh, curve, k, side).plane; };
+    if (steady) {
+      const std::size_t flat = surfaceOf(mesh, curve, k, 0).bent ? 1 : 0;
+      const double direction = sectorPlanes(curveKind(curve.angle), *steady)[sector];
+      if (std::abs(direction - (flat == 0 ? pi : *steady - pi)) < kSamePlane) return facet(flat);
+      return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame,
+                     flat == 0 ? direction : direction + frame.angle - *steady);
+    }
     const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
-    const auto facet = [&](std::size_t side) {
-      return mesh.surfaces[at(FaceTag::surface(frame.tags[side]))].plane;
-    };
     if (std::abs(direction - pi) < kSamePlane) return facet(0);
     if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
     return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame, direction);
@@ -147,10 +173,26 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
             std::size_t sector, std::span<const Curve<N> *const> others, double snap,
             const CutOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
-  if (surface.field) resolve(mesh, *surface.field, options.tolerance, true);
-  const auto [f, g] = curve.frames[run[0]].tags;
-  const auto &first = curve.ridges[run[0]];
-  const auto ridge = findRidge(mesh, first.front(), first.back(), f, g, options.facetSurfaces);
+  // What extends a bent side has no business behind the curve, where the side itself is. So it starts in the
+  // sector of the plane side, which that side's own extension, cut before, bounds.
+  const bool isAhead = surface.field && steadyAngle(mesh, curve, run);
+  const auto find = [&](std::size_t k) {
+    const auto [f, g] = curve.frames[k].tags;
+    const auto &ends = curve.ridges[k];
+    const bool isFlatFirst = !isAhead || !surfaceOf(mesh, curve, k, 0).bent;
+    return findRidge(mesh, ends.front(), ends.back(), isFlatFirst ? f : g, isFlatFirst ? g : f,
+                     options.facetSurfaces);
+  };
+  const auto seedsNow = [&] {
+    std::vector<CutSeed<N>> seeds;
+    for (const std::size_t k : run)
+      if (const auto ridge = find(k))
+        seeds.push_back(
+            {ridge->simplex, ridge->from, ridge->to, isAhead ? kCrossNone : options.facetSurfaces});
+    return seeds;
+  };
+  if (surface.field) resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
+  const auto ridge = find(run[0]);
   if (!ridge) return false;
   if (!surface.field && curveKind(curve.angle) == CurveKind::side)
     if (const auto beyond = facetBeyond(mesh, *ridge, curve.frames[run[0]], options.facetSurfaces))
@@ -166,8 +208,7 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
   }
   const Index number = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back(std::move(surface));
-  const CutSeed<N> seed{ridge->simplex, ridge->from, ridge->to, options.facetSurfaces};
-  if (cutAlong<N>(mesh, number, {seed}, options.tolerance) > 0) return true;
+  if (cutAlong<N>(mesh, number, seedsNow(), options.tolerance) > 0) return true;
   mesh.surfaces.pop_back();
   return false;
 }
@@ -179,9 +220,11 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<co
                      double snap, const CutOptions &options) {
   Index cuts = 0;
   const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
-  for (const auto &run : smoothRuns(mesh, curve))
-    for (std::size_t sector = 0; sector < sectors; ++sector)
-      if (cutRun(mesh, curve, run, sector, others, snap, options)) ++cuts;
+  for (const auto &run : smoothRuns(mesh, curve)) {
+    const bool isBentFirst = surfaceOf(mesh, curve, run[0], 0).bent; // the plane side's extension goes first
+    for (std::size_t k = 0; k < sectors; ++k)
+      if (cutRun(mesh, curve, run, isBentFirst ? sectors - 1 - k : k, others, snap, options)) ++cuts;
+  }
   return cuts;
 }
 

@@ -174,6 +174,25 @@ private:
 } // namespace
 
 template <int N>
+std::vector<Index> sectionOf(const ReferenceMesh<N> &mesh, const Surface<N> &surface,
+                             const std::vector<CutSeed<N>> &seeds, double tolerance) {
+  Section<N> section(mesh, surface, tolerance);
+  for (const CutSeed<N> &seed : seeds) section.addSeed(seed);
+  section.grow();
+  std::vector<Index> simplices = std::move(section.crossed);
+  for (const CutSeed<N> &seed : seeds)
+    if (seed.from >= 0) {
+      const auto add = [&](Index s) { simplices.push_back(s); };
+      turnAroundRidge(mesh, seed.simplex, seed.from, seed.to, seed.crossFrom, add);
+      turnAroundRidge(mesh, seed.simplex, seed.to, seed.from, seed.crossFrom, add);
+    }
+  for (const SectionPiece &piece : section.planeFaces) simplices.push_back(piece.simplex);
+  sortItems(simplices);
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  return simplices;
+}
+
+template <int N>
 Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds,
                double tolerance) {
   checkDeadline();
@@ -207,7 +226,10 @@ Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<
   for (const auto &[a, b] : crossing) {
     const double da = section.value(a);
     const double db = section.value(b);
-    const Vec<N> x = mesh.nodes[at(a)] + (da / (da - db)) * (mesh.nodes[at(b)] - mesh.nodes[at(a)]);
+    const Vec<N> &from = mesh.nodes[at(a)];
+    const Vec<N> &to = mesh.nodes[at(b)];
+    const double t = along.field ? rootBetween<N>(*along.field, from, to, da, db) : da / (da - db);
+    const Vec<N> x = from + t * (to - from);
     splits.push_back({a, b, mesh.nodeCount()});
     mesh.nodes.push_back(x);
   }
@@ -234,6 +256,10 @@ Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<
   return faces;
 }
 
+template std::vector<Index> sectionOf(const ReferenceMesh<2> &, const Surface<2> &,
+                                      const std::vector<CutSeed<2>> &, double);
+template std::vector<Index> sectionOf(const ReferenceMesh<3> &, const Surface<3> &,
+                                      const std::vector<CutSeed<3>> &, double);
 template Index cutAlong(ReferenceMesh<2> &, Index, const std::vector<CutSeed<2>> &, double);
 template Index cutAlong(ReferenceMesh<3> &, Index, const std::vector<CutSeed<3>> &, double);
 

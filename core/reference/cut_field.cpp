@@ -1,6 +1,7 @@
 #include "reference/cut_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace dualblock {
@@ -21,6 +22,33 @@ template <int N> double distanceTo(const Segment<N> &segment, const Vec<N> &x) {
   return glm::length(x - (segment[0] + t * along));
 }
 
+template <int N>
+double rootBetween(const CutField<N> &field, const Vec<N> &a, const Vec<N> &b, double va, double vb) {
+  // Fields bend: false position with the Illinois rule.
+  constexpr int kSteps = 12;
+  double low = 0;
+  double high = 1;
+  double t = va / (va - vb);
+  int last = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    const double v = field.value(a + t * (b - a));
+    if (std::abs(v) <= 1e-9 * std::abs(va - vb)) break;
+    const bool isLow = (v < 0) == (va < 0);
+    if (isLow) {
+      low = t;
+      va = v;
+      if (last == 1) vb /= 2;
+    } else {
+      high = t;
+      vb = v;
+      if (last == 2) va /= 2;
+    }
+    last = isLow ? 1 : 2;
+    t = low + va / (va - vb) * (high - low);
+  }
+  return t;
+}
+
 template <int N> double SweptField<N>::value(const Vec<N> &x) const {
   double least = std::numeric_limits<double>::infinity();
   double value = 0;
@@ -33,6 +61,10 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
   return value;
 }
 
+template <int N> bool SweptField<N>::isAnchor(const Vec<N> &x, double tolerance) const {
+  return distanceTo<N>(segments_, x) <= tolerance;
+}
+
 template <int N> double MiddleField<N>::value(const Vec<N> &x) const {
   return distanceTo<N>(first_, x) - distanceTo<N>(second_, x);
 }
@@ -41,6 +73,8 @@ template class SweptField<2>;
 template class SweptField<3>;
 template class MiddleField<2>;
 template class MiddleField<3>;
+template double rootBetween<2>(const CutField<2> &, const Vec<2> &, const Vec<2> &, double, double);
+template double rootBetween<3>(const CutField<3> &, const Vec<3> &, const Vec<3> &, double, double);
 template double distanceTo<2>(const Segment<2> &, const Vec<2> &);
 template double distanceTo<3>(const Segment<3> &, const Vec<3> &);
 

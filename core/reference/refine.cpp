@@ -3,11 +3,14 @@
 #include "base/deadline.h"
 #include "base/sort.h"
 #include <cmath>
+#include <limits>
 #include <random>
 #include <tuple>
 
 namespace dualblock {
 namespace {
+
+constexpr int kRounds = 8;
 
 struct WantedSplit {
   Index a, b;
@@ -92,18 +95,18 @@ namespace {
 template <int N>
 double splitPosition(const ReferenceMesh<N> &mesh, const CutField<N> &field, Index a, Index b, double va,
                      double vb, double tolerance) {
-  constexpr double kCrossing = 0.05; // of the edge's length: how far a crossing may be off
-  constexpr double kChord = 1e-3;    // likewise: how far the middle of a chord may be off
+  constexpr double kChord = 0.05;    // of the edge's length: how far the middle of a chord may be off
+  constexpr double kAnchored = 1e-3; // likewise, of one between two places of the curve that the cut holds
   const Vec<N> from = mesh.nodes[at(a)];
   const Vec<N> along = mesh.nodes[at(b)] - from;
-  if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) {
-    // Crossed: where the cut would put its node, the field should vanish.
-    const double t = va / (va - vb);
-    const bool isOff = std::abs(field.value(from + t * along)) > kCrossing * glm::length(along);
-    return t > 0.1 && t < 0.9 && isOff ? t : 0;
+  if (std::min(va, vb) < -tolerance && std::max(va, vb) > tolerance) return 0;
+  if (std::max(std::abs(va), std::abs(vb)) <= tolerance) { // a chord from the cut to the cut
+    const double off = std::abs(field.value(from + 0.5 * along)) / glm::length(along);
+    const auto isAnchored = [&] {
+      return field.isAnchor(from, tolerance) && field.isAnchor(from + along, tolerance);
+    };
+    return off > kChord || (off > kAnchored && isAnchored()) ? 0.5 : 0;
   }
-  if (std::max(std::abs(va), std::abs(vb)) <= tolerance) // a chord from the cut to the cut
-    return std::abs(field.value(from + 0.5 * along)) > kChord * glm::length(along) ? 0.5 : 0;
   // The point between the ends that lies furthest on their other side.
   const double sign = va + vb > 0 ? 1 : -1;
   double furthest = -tolerance;
@@ -122,7 +125,7 @@ double splitPosition(const ReferenceMesh<N> &mesh, const CutField<N> &field, Ind
 template <int N>
 bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const std::vector<double> &values,
                   Index s, double tolerance) {
-  constexpr double kSagitta = 0.15; // of the chord's length
+  constexpr double kSagitta = 0.2; // of the chord's length
   std::array<Vec<N>, 4> crossings;  // no plane crosses more edges of a tetrahedron
   std::size_t count = 0;
   const auto &v = mesh.simplices[at(s)];
@@ -132,7 +135,8 @@ bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const 
       const double vb = values[at(v[k])];
       if (std::min(va, vb) >= -tolerance || std::max(va, vb) <= tolerance) continue;
       const Vec<N> a = mesh.nodes[at(v[i])];
-      crossings[count++] = a + va / (va - vb) * (mesh.nodes[at(v[k])] - a);
+      const Vec<N> b = mesh.nodes[at(v[k])];
+      crossings[count++] = a + rootBetween<N>(field, a, b, va, vb) * (b - a);
     }
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = i + 1; k < count; ++k)
@@ -161,33 +165,44 @@ WantedSplit splitOfLongest(const ReferenceMesh<N> &mesh, const std::vector<doubl
   return longest;
 }
 
+/// The simplices that a cut crosses, and those beside them in the same part, where it may do so unseen.
+template <int N>
+std::vector<Index> nearSection(const ReferenceMesh<N> &mesh, const Surface<N> &surface,
+                               const std::vector<CutSeed<N>> &seeds, double tolerance) {
+  std::vector<Index> near = sectionOf(mesh, surface, seeds, tolerance);
+  for (std::size_t n = near.size(); n-- > 0;)
+    for (int i = 0; i < N + 1; ++i)
+      if (mesh.tags[at(near[n])][i] == kNone) near.push_back(mesh.neighbors[at(near[n])][i]);
+  sortItems(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 } // namespace
 
 template <int N>
-void resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance, bool followsChords) {
-  const int rounds = followsChords ? 4 : 3;
-  std::vector<double> values;
-  for (int round = 0; round < rounds; ++round) {
+void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
+             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords) {
+  const CutField<N> &field = *surface.field;
+  std::vector<double> values(mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+  for (int round = 0; round < kRounds; ++round) {
     checkDeadline();
-    for (std::size_t v = values.size(); v < mesh.nodes.size(); ++v)
-      values.push_back(field.value(mesh.nodes[v]));
+    const std::vector<Index> near = nearSection(mesh, surface, seeds(), tolerance);
+    values.resize(mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<std::pair<Index, Index>> edges;
+    for (const Index s : near)
+      for (int i = 0; i < N + 1; ++i) {
+        const Index a = mesh.simplices[at(s)][i];
+        if (std::isnan(values[at(a)])) values[at(a)] = field.value(mesh.nodes[at(a)]);
+        for (int k = i + 1; k < N + 1; ++k) edges.emplace_back(std::minmax(a, mesh.simplices[at(s)][k]));
+      }
+    sortItems(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<WantedSplit> wanted;
-    // A field of distances changes by two lengths over one at most: edges further away than that are not
-    // crossed.
-    std::vector<std::pair<Index, Index>> near;
-    for (const auto &v : mesh.simplices)
-      for (int i = 0; i < N + 1; ++i)
-        for (int k = i + 1; k < N + 1; ++k) {
-          const double least = std::min(std::abs(values[at(v[i])]), std::abs(values[at(v[k])]));
-          const Vec<N> along = mesh.nodes[at(v[k])] - mesh.nodes[at(v[i])];
-          if (least * least <= 4 * glm::dot(along, along)) near.emplace_back(std::minmax(v[i], v[k]));
-        }
-    sortItems(near);
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (const auto &[a, b] : near)
+    for (const auto &[a, b] : edges)
       if (const double t = splitPosition(mesh, field, a, b, values[at(a)], values[at(b)], tolerance); t > 0)
         wanted.push_back({a, b, t});
-    for (Index s = 0; s < mesh.simplexCount(); ++s)
+    for (const Index s : near)
       if (followsChords && hasBentChord(mesh, field, values, s, tolerance))
         wanted.push_back(splitOfLongest(mesh, values, s));
     if (wanted.empty()) break;
@@ -202,8 +217,10 @@ void resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance,
   }
 }
 
-template void resolve(ReferenceMesh<2> &, const CutField<2> &, double, bool);
-template void resolve(ReferenceMesh<3> &, const CutField<3> &, double, bool);
+template void resolve(ReferenceMesh<2> &, const Surface<2> &,
+                      const std::function<std::vector<CutSeed<2>>()> &, double, bool);
+template void resolve(ReferenceMesh<3> &, const Surface<3> &,
+                      const std::function<std::vector<CutSeed<3>>()> &, double, bool);
 template void splitLongEdges(ReferenceMesh<2> &, double);
 template void splitLongEdges(ReferenceMesh<3> &, double);
 template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);

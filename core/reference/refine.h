@@ -1,7 +1,9 @@
 // Refinement of a reference mesh by splitting edges: the same code in every dimension.
 #pragma once
 
-#include "reference/subdivide.h"
+#include <functional>
+
+#include "reference/cut.h"
 
 namespace dualblock {
 
@@ -15,15 +17,19 @@ template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t see
 /// Splits the given edges (pairs of nodes, any order) at their midpoints.
 template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges);
 
-/// Splits edges that a bent cut crosses unseen, twice, where three points between the ends show it, and those
-/// where a node put by linear interpolation would stand clearly off the cut; several times over, as new edges
-/// appear. `followsChords`: also the longest edges of simplices that the cut would go straight through where
-/// the zero set is clearly bent. That takes many more nodes, and helps where a later cut has to cross this
-/// one once.
+/// Prepares a cut along a surface with a field: splits edges that it crosses unseen, twice, where three points
+/// between the ends show it, and those where a node put by linear interpolation would stand clearly off it;
+/// several times over, as new edges appear. Only where the cut that begins at the `seeds`, asked for anew each
+/// time, would come. `followsChords`: also the longest edges of simplices that the cut would go straight
+/// through where the zero set is clearly bent. That takes many more nodes, and helps where a later cut has to
+/// cross this one once.
 template <int N>
-void resolve(ReferenceMesh<N> &mesh, const CutField<N> &field, double tolerance, bool followsChords);
+void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
+             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords);
 
-extern template void resolve(ReferenceMesh<2> &, const CutField<2> &, double, bool);
-extern template void resolve(ReferenceMesh<3> &, const CutField<3> &, double, bool);
+extern template void resolve(ReferenceMesh<2> &, const Surface<2> &,
+                             const std::function<std::vector<CutSeed<2>>()> &, double, bool);
+extern template void resolve(ReferenceMesh<3> &, const Surface<3> &,
+                             const std::function<std::vector<CutSeed<3>>()> &, double, bool);
 
 } // namespace dualblock
