@@ -29,13 +29,13 @@ template <int N> constexpr auto kAcross = acrossTable<N>();
 /// Turns around each edge of each block face on a facet, through the blocks, until another facet ends the
 /// fan.
 template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const BlockComplex<N> &complex) {
+  constexpr std::size_t kCorners = 1 << (N - 1);
   const auto nodeAt = [&](Index block, int local, std::size_t k) {
-    constexpr std::size_t kCorners = 1 << (N - 1);
     return in.blocks.blocks[at(block)][at(faceCorner<N>(local, static_cast<int>(k % kCorners)))];
   };
   const auto place = [&](Index block, int local, Index node) {
     std::size_t k = 0;
-    while (nodeAt(block, local, k) != node) ++k;
+    while (k < kCorners && nodeAt(block, local, k) != node) ++k;
     return k;
   };
   std::vector<Crease> creases;
@@ -52,6 +52,7 @@ template <int N> std::vector<Crease> findCreases(const BlockInput<N> &in, const 
         // The block's other face at a and b.
         std::size_t edge = place(block, local, a);
         if (N == 3 && nodeAt(block, local, edge + 1) != b) edge = place(block, local, b);
+        if (edge == kCorners) break; // a face of the same nodes in another order: checkTopology says so
         local = kAcross<N>[at(local)][edge];
         if (const Index tag = in.blocks.tags[at(block)][at(local)]; tag != kNone) {
           crease.keys = {in.mesh.sideKey(start.tag), in.mesh.sideKey(tag)};

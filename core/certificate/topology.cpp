@@ -57,6 +57,13 @@ template <typename ForEdges> Index countEdges(std::size_t nodes, ForEdges forEdg
   return count;
 }
 
+/// Whether two faces of the same nodes are one: the nodes beside the first one in its cycle are so in the other.
+template <std::size_t Size>
+bool isSameCycle(const std::array<Index, Size> &a, const std::array<Index, Size> &b) {
+  const auto first = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return sortedPair(a[1], a[Size - 1]) == sortedPair(b[(first + 1) % Size], b[(first + Size - 1) % Size]);
+}
+
 /// nodes - edges + triangles - tetrahedra, counted one by one.
 Index eulerOf(const ReferenceMesh<3> &mesh) {
   std::vector<bool> used(mesh.nodes.size(), false);
@@ -193,6 +200,9 @@ void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
   for (std::size_t f = 0; f + 1 < complex.faces.size(); ++f) {
     if (!complex.areTwins(f, f + 1)) continue;
     pairs.push_back({complex.faces[f].block, complex.faces[f + 1].block});
+    if (!isSameCycle(complex.faces[f].cycle, complex.faces[f + 1].cycle))
+      certificate.fail(Check::topology, "faces of two blocks have the same nodes, but not in the same order",
+                       {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
     if (f + 2 < complex.faces.size() && complex.areTwins(f, f + 2))
       certificate.fail(Check::topology, "three blocks share a face",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});

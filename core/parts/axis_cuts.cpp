@@ -22,7 +22,7 @@ int raggedness(const PartView &v, const Loop &loop) {
 
 std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
   Axis axis;
-  if (!axisOf(loop.chain, v.mesh.nodes, axis)) return {};
+  if (!axisOf(loop.chain, v.mesh.nodes, v.axes, axis)) return {};
   const double reach = kOnAxis * v.mesh.size;
   struct Other {
     Axis axis;
@@ -33,7 +33,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
   Index ends = 0;
   for (const Loop &other : loops) {
     Axis o;
-    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, o)) continue;
+    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, v.axes, o)) continue;
     others.push_back({o, other.chain.nodes});
     for (const Index side : loop.sides)
       if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {

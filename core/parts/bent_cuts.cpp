@@ -164,8 +164,8 @@ bool turnsTooFar(const PartView &v, Index side) {
   return beyond > 0.02 * total;
 }
 
-/// Across a side that turns too far: through the axis of the arc that turns most, and a corner of the part
-/// near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
+/// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
+/// failing that, a corner of the part near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
 /// the other.
 std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   struct Arc {
@@ -174,11 +174,14 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
     Axis axis;
   };
   std::vector<Arc> arcs;
+  std::vector<Vec<3>> centres; // of arcs of any side
   for (const Curve<3> *curve : v.curves) {
-    if (curve->sides[0] != side && curve->sides[1] != side) continue;
+    const bool isOfSide = curve->sides[0] == side || curve->sides[1] == side;
     for (Chain &chain : chainsOf(*curve)) {
       Axis axis;
-      if (chain.closed || !axisOf(chain, v.mesh.nodes, axis)) continue;
+      if (chain.closed || !axisOf(chain, v.mesh.nodes, v.axes, axis)) continue;
+      centres.push_back(axis.centre);
+      if (!isOfSide) continue;
       const Vec<3> a = glm::normalize(v.node(chain.nodes.front()) - axis.centre);
       const Vec<3> b = glm::normalize(v.node(chain.nodes.back()) - axis.centre);
       const Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
@@ -203,14 +206,17 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   middle = glm::normalize(flat(middle));
   Vec<3> towards = middle;
   double nearest = kNearMiddle;
-  for (const Corner *corner : v.corners) {
-    const Vec<3> d = flat(v.node(corner->node) - axis.centre);
-    if (glm::length(d) <= kOnAxis * v.mesh.size) continue;
+  const auto attract = [&](const Vec<3> &x) {
+    const Vec<3> d = flat(x - axis.centre);
+    if (glm::length(d) <= kOnAxis * v.mesh.size) return;
     const double cosine = glm::dot(glm::normalize(d), middle);
-    if (cosine <= nearest) continue;
+    if (cosine <= nearest) return;
     nearest = cosine;
     towards = glm::normalize(d);
-  }
+  };
+  for (const Vec<3> &centre : centres) attract(centre);
+  if (towards == middle)
+    for (const Corner *corner : v.corners) attract(v.node(corner->node));
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
                   halfOf(v, chain, axis, towards)};
 }
@@ -296,12 +302,12 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 
 } // namespace
 
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
-                 const std::vector<bool> &gaveUp) {
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
+                 const CutOptions &options, const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   std::size_t curve = 0;
   std::size_t corner = 0;
-  PartView v{mesh, parts, 0, {}, {}};
+  PartView v{mesh, parts, 0, {}, {}, axes};
   for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
     v.part = part;
     v.curves.clear();

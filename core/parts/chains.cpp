@@ -55,31 +55,72 @@ std::vector<Segment<3>> segmentsOf(const Chain &chain, const std::vector<Vec<3>>
   return segments;
 }
 
-bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
-  if (chain.closed) {
-    Vec<3> area{0.0};
-    Vec<3> centre{0.0};
-    double length = 0;
-    const Vec<3> origin = nodes[at(chain.nodes[0])];
-    for (const Segment<3> &s : segmentsOf(chain, nodes)) {
-      area += glm::cross(s[0] - origin, s[1] - origin);
-      const double l = glm::length(s[1] - s[0]);
-      centre += 0.5 * l * (s[0] + s[1]);
-      length += l;
-    }
-    if (!(glm::length(area) > 1e-6 * length * length)) return false;
-    axis = {centre / length, glm::normalize(area)};
-    return true;
-  }
-  const Vec<3> a = nodes[at(chain.nodes.front())];
-  const Vec<3> b = nodes[at(chain.nodes[chain.nodes.size() / 2])] - a;
-  const Vec<3> c = nodes[at(chain.nodes.back())] - a;
+namespace {
+
+/// The axis of the circle through three points; nothing where they are nearly in a row.
+bool axisThrough(const Vec<3> &a, const Vec<3> &second, const Vec<3> &third, Axis &axis) {
+  const Vec<3> b = second - a;
+  const Vec<3> c = third - a;
   const Vec<3> normal = glm::cross(b, c);
   const double square = glm::dot(normal, normal);
   if (!(square > 1e-4 * glm::dot(b, b) * glm::dot(c, c))) return false;
   axis.centre =
       a + (glm::dot(c, c) * glm::cross(normal, b) + glm::dot(b, b) * glm::cross(c, normal)) / (2 * square);
   axis.direction = normal / std::sqrt(square);
+  return true;
+}
+
+} // namespace
+
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
+  const auto node = [&](std::size_t k) { return nodes[at(chain.nodes[k])]; };
+  const std::size_t count = chain.nodes.size();
+  if (!chain.closed) return axisThrough(node(0), node(count / 2), node(count - 1), axis);
+  // A circle's nodes need not be evenly spaced: their mean would be beside the centre.
+  if (axisThrough(node(0), node(count / 3), node(2 * count / 3), axis)) {
+    constexpr double kRound = 1e-4; // of the radius
+    const double radius = glm::length(node(0) - axis.centre);
+    bool isCircle = true;
+    for (std::size_t k = 0; k < count && isCircle; ++k)
+      isCircle = std::abs(glm::length(node(k) - axis.centre) - radius) <= kRound * radius;
+    if (isCircle) return true;
+  }
+  Vec<3> area{0.0};
+  Vec<3> centre{0.0};
+  double length = 0;
+  for (const Segment<3> &s : segmentsOf(chain, nodes)) {
+    area += glm::cross(s[0] - node(0), s[1] - node(0));
+    const double l = glm::length(s[1] - s[0]);
+    centre += 0.5 * l * (s[0] + s[1]);
+    length += l;
+  }
+  if (!(glm::length(area) > 1e-6 * length * length)) return false;
+  axis = {centre / length, glm::normalize(area)};
+  return true;
+}
+
+std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes) {
+  std::vector<Axis> axes;
+  for (const Curve<3> &curve : parts.curves)
+    for (const Chain &chain : chainsOf(curve))
+      if (Axis axis; axisOf(chain, nodes, axis)) axes.push_back(axis);
+  return axes;
+}
+
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vector<Axis> &known,
+            Axis &axis) {
+  if (!axisOf(chain, nodes, axis)) return false;
+  constexpr double kSameCosine = 0.998;
+  constexpr double kSamePlace = 0.05; // of the radius
+  const double radius = glm::length(nodes[at(chain.nodes[0])] - axis.centre);
+  for (const Axis &k : known) {
+    const double cosine = glm::dot(k.direction, axis.direction);
+    if (std::abs(cosine) < kSameCosine) continue;
+    const Vec<3> centre = k.centre + glm::dot(axis.centre - k.centre, k.direction) * k.direction;
+    if (glm::length(centre - axis.centre) > kSamePlace * radius) continue;
+    axis = {centre, cosine < 0 ? -k.direction : k.direction};
+    return true;
+  }
   return true;
 }
 

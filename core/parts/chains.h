@@ -17,12 +17,20 @@ std::vector<Chain> chainsOf(const Curve<3> &curve);
 /// The chain's segments, the closing one included.
 std::vector<Segment<3>> segmentsOf(const Chain &chain, const std::vector<Vec<3>> &nodes);
 
-/// The line around which a chain turns: of a closed chain its centre and the direction of its vector area; of
-/// an open one those of the circle through its ends and its middle node. Nothing for a straight chain.
+/// The line around which a chain turns: of a circle its axis; of another closed chain its centre and the
+/// direction of its vector area; of an open one the axis of the circle through its ends and its middle node.
+/// Nothing for a straight chain.
 struct Axis {
   Vec<3> centre;
   Vec<3> direction; // unit length
 };
 bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis);
+
+/// The axes of all curves that turn.
+std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes);
+
+/// The axis of a chain, and that of the known ones that it is meant to be, if there is such a one: cuts have put
+/// nodes beside the circle.
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vector<Axis> &known, Axis &axis);
 
 } // namespace dualblock

@@ -75,16 +75,17 @@ std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> 
 
 /// Rule 3. Where all parts of a component are simple, further cuts only better their shape: the first one
 /// that leaves one that is not is taken back, and is the last.
-void cutBentParts(ReferenceMesh<3> &mesh, const DecomposeOptions &options, Budget<3> &budget,
-                  Decomposition<3> &result) {
+void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
+                  Budget<3> &budget, Decomposition<3> &result) {
   if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
     return;
+  const std::vector<Axis> axes = axesOf(uncut, mesh.nodes);
   std::vector<bool> simple = simpleComponents(mesh, result.parts);
   std::vector<bool> isSettled(simple.size(), false);
   std::vector<bool> isDone = budget.gaveUp;
   for (int round = 0; round < kBentRounds; ++round) {
     ReferenceMesh<3> before = mesh;
-    if (!cutBentPart(mesh, result.parts, options, isDone)) break;
+    if (!cutBentPart(mesh, result.parts, axes, options, isDone)) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
     bool isWorse = false;
@@ -163,7 +164,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {
-    cutBentParts(mesh, options, budget, result);
+    cutBentParts(mesh, uncut, options, budget, result);
     const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                     [](const Corner &c) { return c.sides.size() > 3; });
     if (needed) result.pulled = pullParts(mesh, result.parts, options.apex);

@@ -168,6 +168,23 @@ TYPED_TEST(CertificateOf, TopologySwappedNodes) {
                   [](auto &r) { std::swap(r.primal.blocks[3].nodes[0], r.primal.blocks[3].nodes[1]); });
 }
 
+// Faces of two blocks may then have the same nodes in another order, and are not the same face.
+TEST(Certificate, TopologyAnyTwoNodesSwapped) {
+  PipelineResult<3> r = run(loadExample<3>("l_shape_extruded"));
+  bool isOtherOrder = false;
+  for (Block<3> &block : r.primal.blocks)
+    for (std::size_t a = 0; a < 8; ++a)
+      for (std::size_t b = a + 1; b < 8; ++b) {
+        std::swap(block.nodes[a], block.nodes[b]);
+        const Certificate certificate = certified(r);
+        EXPECT_FALSE(certificate.valid) << a << " " << b;
+        isOtherOrder |= failuresOf(certificate).find("not in the same order") != std::string::npos;
+        std::swap(block.nodes[a], block.nodes[b]);
+      }
+  EXPECT_TRUE(isOtherOrder);
+  EXPECT_TRUE(certified(r).valid);
+}
+
 TYPED_TEST(CertificateOf, TopologyNodeTwice) {
   constexpr int N = TypeParam::value;
   expectCaught<N>(Examples<N>::kConvex, Check::topology, "same node twice",
