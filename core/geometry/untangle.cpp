@@ -15,8 +15,15 @@ template <int N> double smallest(const Block<N> &block, const std::vector<Vec<N>
   return *std::min_element(coefficients.begin(), coefficients.end());
 }
 
+template <int N>
+std::ptrdiff_t countBad(const std::vector<const Block<N> *> &blocks, const std::vector<Vec<N>> &positions) {
+  return std::count_if(blocks.begin(), blocks.end(),
+                       [&](const Block<N> *b) { return smallest<N>(*b, positions) <= 0; });
+}
+
 /// Moves `node` along D directions to the depth inside every coefficient's half-space that is largest. False
-/// if it stands there already, or there is no better place.
+/// if it stands there already, or there is no better place. Where no place is valid, the deepest one may be far
+/// away and tangle blocks that were not: it stays, then.
 template <int N, int D>
 bool moveNode(const std::vector<const Block<N> *> &blocks, Index node,
               const std::array<Vec<N>, D> &directions, std::vector<Vec<N>> &positions) {
@@ -55,8 +62,11 @@ bool moveNode(const std::vector<const Block<N> *> &blocks, Index node,
   objective[D] = 1;
   const auto best = solveLinearProgramme<D + 1>(std::move(constraints), objective, 1.0);
   if (!best || (*best)[D] <= depth + 1e-9) return false;
+  const std::ptrdiff_t before = countBad<N>(blocks, positions);
   for (std::size_t k = 0; k < D; ++k) positions[at(node)] += scale * (*best)[k] * directions[k];
-  return true;
+  if (countBad<N>(blocks, positions) < before) return true;
+  positions[at(node)] = start;
+  return false;
 }
 
 /// Which way a node may go: across none of the planes that it lies on.
