@@ -156,10 +156,13 @@ template <int N>
                                  const PipelineOptions &options, const CoarseMesh<N> &coarse,
                                  StageClock &clock) {
   Decomposition<N> &decomposition = choice.decomposition;
-  r.parts = std::move(decomposition.parts);
-  r.cuts = decomposition.cuts;
-  r.vertexCuts = decomposition.vertexCuts;
-  r.bentCuts = decomposition.bentCuts;
+  const auto takeParts = [&] {
+    r.parts = std::move(decomposition.parts);
+    r.vertexCuts = decomposition.vertexCuts;
+    r.bentCuts = decomposition.bentCuts;
+    r.cuts = decomposition.reflexCuts + r.bentCuts + r.vertexCuts;
+  };
+  takeParts();
   r.fallbackReason = std::move(choice.whySimplices);
   std::vector<PartSource> source =
       std::move(choice.source); // changes where the certificate blames a component
@@ -197,6 +200,12 @@ template <int N>
     const bool built = buildDual(r, partOptions, everyFace, clock);
     if (built) buildResult(r, options, clock);
     if (built && r.certificate.valid) break;
+    if (decomposition.early && r.fallbackComponents + r.pulledComponents == 0) {
+      decomposition.takeEarly(r.mesh);
+      takeParts();
+      r.certificate = {};
+      continue;
+    }
     if (!mayFallBack) return false;
     if (r.fallbackComponents == r.mesh.componentCount) {
       if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");

@@ -20,7 +20,7 @@ int raggedness(const PartView &v, const Loop &loop) {
   return ragged;
 }
 
-std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::vector<Loop> &loops) {
+std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns &turns) {
   Axis axis;
   if (!axisOf(loop.chain, v.mesh.nodes, v.axes, axis)) return {};
   const double reach = kOnAxis * v.mesh.size;
@@ -31,7 +31,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
   std::vector<Other> others;
   Axis opposite; // the other end of a bent side that the loop bounds
   Index ends = 0;
-  for (const Loop &other : loops) {
+  for (const Loop &other : turns.loops) {
     Axis o;
     if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, v.axes, o)) continue;
     others.push_back({o, other.chain.nodes});
@@ -41,6 +41,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const std::
         ++ends;
       }
   }
+  for (const Axis *arc : turns.arcs) others.push_back({*arc, {}});
   others.push_back({axis, {}});
   // A tube runs from end to end, which need not be square to its ends.
   if (ends == 1 && glm::length(opposite.centre - axis.centre) > 1e3 * reach) {

@@ -165,7 +165,7 @@ bool turnsTooFar(const PartView &v, Index side) {
 }
 
 /// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
-/// failing that, a corner of the part near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
+/// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
 /// the other.
 std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   struct Arc {
@@ -174,13 +174,13 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
     Axis axis;
   };
   std::vector<Arc> arcs;
-  std::vector<Vec<3>> centres; // of arcs of any side
+  std::vector<Axis> others; // of arcs of any side
   for (const Curve<3> *curve : v.curves) {
     const bool isOfSide = curve->sides[0] == side || curve->sides[1] == side;
     for (Chain &chain : chainsOf(*curve)) {
       Axis axis;
       if (chain.closed || !axisOf(chain, v.mesh.nodes, v.axes, axis)) continue;
-      centres.push_back(axis.centre);
+      others.push_back(axis);
       if (!isOfSide) continue;
       const Vec<3> a = glm::normalize(v.node(chain.nodes.front()) - axis.centre);
       const Vec<3> b = glm::normalize(v.node(chain.nodes.back()) - axis.centre);
@@ -214,9 +214,13 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
     nearest = cosine;
     towards = glm::normalize(d);
   };
-  for (const Vec<3> &centre : centres) attract(centre);
+  for (const Axis &other : others)
+    if (glm::length(glm::cross(other.direction, axis.direction)) <= kOnAxis) attract(other.centre);
   if (towards == middle)
-    for (const Corner *corner : v.corners) attract(v.node(corner->node));
+    for (const Corner *corner : v.corners) // others are where a bent cut happens to end
+      if (std::count_if(corner->sides.begin(), corner->sides.end(),
+                        [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
+        attract(v.node(corner->node));
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
                   halfOf(v, chain, axis, towards)};
 }
@@ -236,19 +240,24 @@ std::vector<Proposal> proposals(const PartView &v) {
   }
   for (const Index *side = first; side != last; ++side)
     if (v.isBent(*side)) add(throughVoid(v, *side));
-  std::vector<Loop> loops;
+  Turns turns;
   std::vector<std::vector<Chain>> several;
   for (const Curve<3> *curve : v.curves) {
-    if (curve->open) continue;
     std::vector<Chain> chains = chainsOf(*curve);
-    for (const Chain &chain : chains)
-      if (chain.closed) loops.push_back({chain, curve->sides});
+    for (const Chain &chain : chains) {
+      Axis axis;
+      if (chain.closed) turns.loops.push_back({chain, curve->sides});
+      else if (axisOf(chain, v.mesh.nodes, axis))
+        if (const Axis *known = knownAxis(v.axes, chain, v.mesh.nodes, axis);
+            known && std::find(turns.arcs.begin(), turns.arcs.end(), known) == turns.arcs.end())
+          turns.arcs.push_back(known);
+    }
     if (chains.size() > 1) several.push_back(std::move(chains));
   }
   for (const auto &chains : several) add(separate(v, chains));
-  sortItems(loops, [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
-  for (const Loop &loop : loops)
-    for (Proposal &proposal : alongAxis(v, loop, loops)) list.push_back(std::move(proposal));
+  sortItems(turns.loops, [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
+  for (const Loop &loop : turns.loops)
+    for (Proposal &proposal : alongAxis(v, loop, turns)) list.push_back(std::move(proposal));
   for (const Corner *corner : v.corners)
     if (corner->sides.size() < 3) add(throughKink(v, *corner));
   add(betweenCorners(v));

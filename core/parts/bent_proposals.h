@@ -30,8 +30,9 @@ struct PartView {
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
   /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
   /// little.
-  bool isGiven(Index side) const {
-    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].kind == SurfaceKind::facet;
+  bool isGiven(Index side) const { return kindOf(side) == SurfaceKind::facet; }
+  SurfaceKind kindOf(Index side) const {
+    return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].kind;
   }
   bool isBent(Index side) const {
     return mesh.surfaces[at(FaceTag::surface(parts.sides[at(side)].tag))].bent;
@@ -49,10 +50,16 @@ int raggedness(const PartView &part, const Loop &loop);
 /// The nodes of a chain on the side of its axis that `towards` points to.
 std::vector<Index> halfOf(const PartView &part, const Chain &chain, const Axis &axis, const Vec<3> &towards);
 
-/// Planes through the axis of a closed curve, best first: by axes of other closed curves that they hold, then
+/// The part's closed curves, and the axes of the domain's that its open ones are arcs of.
+struct Turns {
+  std::vector<Loop> loops;
+  std::vector<const Axis *> arcs; // each once
+};
+
+/// Planes through the axis of a closed curve, best first: by axes of other curves that they hold, then
 /// corners of the part, then nodes of the curve, then how near they are to a coordinate plane. Where all
 /// corners are on one side of the axis, the half plane there is enough.
-std::vector<Proposal> alongAxis(const PartView &part, const Loop &loop, const std::vector<Loop> &loops);
+std::vector<Proposal> alongAxis(const PartView &part, const Loop &loop, const Turns &turns);
 
 inline constexpr double kOnAxis = 1e-6; // of the domain's size: nearer than this is on the axis
 

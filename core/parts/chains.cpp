@@ -107,19 +107,25 @@ std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes
   return axes;
 }
 
-bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vector<Axis> &known,
-            Axis &axis) {
-  if (!axisOf(chain, nodes, axis)) return false;
+const Axis *knownAxis(const std::vector<Axis> &known, const Chain &chain, const std::vector<Vec<3>> &nodes,
+                      const Axis &axis) {
   constexpr double kSameCosine = 0.998;
   constexpr double kSamePlace = 0.05; // of the radius
   const double radius = glm::length(nodes[at(chain.nodes[0])] - axis.centre);
   for (const Axis &k : known) {
-    const double cosine = glm::dot(k.direction, axis.direction);
-    if (std::abs(cosine) < kSameCosine) continue;
-    const Vec<3> centre = k.centre + glm::dot(axis.centre - k.centre, k.direction) * k.direction;
-    if (glm::length(centre - axis.centre) > kSamePlace * radius) continue;
-    axis = {centre, cosine < 0 ? -k.direction : k.direction};
-    return true;
+    if (std::abs(glm::dot(k.direction, axis.direction)) < kSameCosine) continue;
+    const Vec<3> beside = axis.centre - k.centre;
+    if (glm::length(beside - glm::dot(beside, k.direction) * k.direction) <= kSamePlace * radius) return &k;
+  }
+  return nullptr;
+}
+
+bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vector<Axis> &known,
+            Axis &axis) {
+  if (!axisOf(chain, nodes, axis)) return false;
+  if (const Axis *k = knownAxis(known, chain, nodes, axis)) {
+    axis.centre = k->centre + glm::dot(axis.centre - k->centre, k->direction) * k->direction;
+    axis.direction = glm::dot(axis.direction, k->direction) < 0 ? -k->direction : k->direction;
   }
   return true;
 }

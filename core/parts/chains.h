@@ -29,8 +29,12 @@ bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis);
 /// The axes of all curves that turn.
 std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes);
 
-/// The axis of a chain, and that of the known ones that it is meant to be, if there is such a one: cuts have put
-/// nodes beside the circle.
+/// The one of the known axes that a chain's `axis` is meant to be, or null: cuts have put nodes beside the
+/// circle.
+const Axis *knownAxis(const std::vector<Axis> &known, const Chain &chain, const std::vector<Vec<3>> &nodes,
+                      const Axis &axis);
+
+/// The axis of a chain, by the known one where there is such a one.
 bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vector<Axis> &known, Axis &axis);
 
 } // namespace dualblock

@@ -180,7 +180,9 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   std::vector<Trial<N>> trials;
   trials.push_back(chooser.run(std::move(mesh), {}, 0));
   const Index standardSize = trials[0].mesh.simplexCount();
-  if (isCheap && standardSize <= kCheap)
+  const bool isLost = std::any_of(trials[0].scores[0].begin(), trials[0].scores[0].end(),
+                                  [](const Score &score) { return score.blocks == kNever; });
+  if (isCheap && (standardSize <= kCheap || isLost))
     for (std::size_t p = 1; p < policies.size(); ++p)
       trials.push_back(
           chooser.run(original, std::vector<CutPolicy>(components, policies[p]), 2 * standardSize));
@@ -240,8 +242,7 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
     };
     if (count(PartSource::cuts) < components) proposal.choice.whySimplices = "simplices give a better shape";
     if (count(PartSource::pulled) == components) { // of the mesh before rule 2
-      Decomposition<N> &made = proposal.choice.decomposition;
-      made.cuts -= std::exchange(made.vertexCuts, 0);
+      proposal.choice.decomposition.vertexCuts = 0;
     }
     proposal.choice.source = std::move(source);
   };

@@ -12,6 +12,8 @@ constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 constexpr int kBentRounds = 80;
 constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help come early
+constexpr std::size_t kMoreParts = 6;     // times as many for a better shape, and so many more,
+constexpr std::size_t kFewMoreParts = 12; // are none
 
 /// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts
 /// would give more blocks than the fallback, that is cheaper and no worse.
@@ -85,6 +87,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   std::vector<bool> isDone = budget.gaveUp;
   for (int round = 0; round < kBentRounds; ++round) {
     ReferenceMesh<3> before = mesh;
+    const bool areSimple = std::find(simple.begin(), simple.end(), false) == simple.end();
     if (!cutBentPart(mesh, result.parts, axes, options, isDone)) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
@@ -97,12 +100,16 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
       mesh = std::move(before);
       continue;
     }
+    if (areSimple && !result.early)
+      result.early = {std::move(before), std::move(result.parts), result.bentCuts};
     ++result.bentCuts;
     result.parts = std::move(parts);
     simple = isSimpleNow;
     isDone = budget.spend(mesh, kBentShare, simple);
     for (std::size_t c = 0; c < simple.size(); ++c) isDone[c] = isDone[c] || isSettled[c];
   }
+  if (result.early && result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
+    result.takeEarly(mesh);
 }
 
 /// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
@@ -139,7 +146,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   Index lastCount = mesh.simplexCount();
   for (const Curve<N> *curve : wanting) {
     if (budget.gaveUp[at(component[at(curve->part)])]) continue;
-    if (mesh.simplexCount() > 2 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
+    if (mesh.simplexCount() > 1.25 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }
@@ -155,9 +162,9 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
   Decomposition<N> result;
   Budget<N> budget(mesh, options.simplexLimit);
   for (int round = 0; round < kReflexRounds; ++round) {
-    const Index before = result.cuts;
-    cutReflexCurves(mesh, round == 0 ? uncut : result.parts, options, budget, result.cuts);
-    if (result.cuts == before) {
+    const Index before = result.reflexCuts;
+    cutReflexCurves(mesh, round == 0 ? uncut : result.parts, options, budget, result.reflexCuts);
+    if (result.reflexCuts == before) {
       if (round == 0) result.parts = uncut;
       break;
     }
@@ -180,7 +187,6 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
       budget.update(mesh);
     }
   }
-  result.cuts += result.bentCuts + result.vertexCuts;
   result.gaveUp = std::move(budget.gaveUp);
   return result;
 }

@@ -19,13 +19,29 @@ struct DecomposeOptions : CutOptions {
                                            // than this; asked for only where vertices have to be cut
 };
 
+/// A mesh and its parts, before cuts that only better the shape of parts.
+template <int N> struct EarlyParts {
+  ReferenceMesh<N> mesh;
+  Parts<N> parts;
+  Index bentCuts;
+};
+
 template <int N> struct Decomposition {
   Parts<N> parts;
-  Index cuts = 0;                   // split surfaces added
-  Index vertexCuts = 0;             // those of rule 2, by vertices
-  Index bentCuts = 0;               // those of rule 3, by bent sides
+  Index reflexCuts = 0;             // split surfaces added by rule 1
+  Index vertexCuts = 0;             // by rule 2
+  Index bentCuts = 0;               // by rule 3
   std::optional<PulledMesh> pulled; // of the parts before rule 2, where that had something to do
+  std::optional<EarlyParts<N>> early; // where bent parts were simple before the last of their cuts
   std::vector<bool> gaveUp; // per component: the block limit was reached, or cuts multiplied the simplices
+
+  void takeEarly(ReferenceMesh<N> &mesh) {
+    mesh = std::move(early->mesh);
+    parts = std::move(early->parts);
+    bentCuts = early->bentCuts;
+    vertexCuts = 0;
+    early.reset();
+  }
 };
 
 /// Cuts `mesh`, whose parts are `uncut`, into more parts. Reflex curves get the number of sectors that their
