@@ -57,7 +57,8 @@ template <typename ForEdges> Index countEdges(std::size_t nodes, ForEdges forEdg
   return count;
 }
 
-/// Whether two faces of the same nodes are one: the nodes beside the first one in its cycle are so in the other.
+/// Whether two faces of the same nodes are one: the nodes beside the first one in its cycle are so in the
+/// other.
 template <std::size_t Size>
 bool isSameCycle(const std::array<Index, Size> &a, const std::array<Index, Size> &b) {
   const auto first = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());

@@ -22,8 +22,8 @@ std::ptrdiff_t countBad(const std::vector<const Block<N> *> &blocks, const std::
 }
 
 /// Moves `node` along D directions to the depth inside every coefficient's half-space that is largest. False
-/// if it stands there already, or there is no better place. Where no place is valid, the deepest one may be far
-/// away and tangle blocks that were not: it stays, then.
+/// if it stands there already, or there is no better place. Where no place is valid, the deepest one may be
+/// far away and tangle blocks that were not: it stays, then.
 template <int N, int D>
 bool moveNode(const std::vector<const Block<N> *> &blocks, Index node,
               const std::array<Vec<N>, D> &directions, std::vector<Vec<N>> &positions) {

@@ -33,7 +33,8 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
   Index ends = 0;
   for (const Loop &other : turns.loops) {
     Axis o;
-    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, v.axes, o)) continue;
+    if (&other == &loop || raggedness(v, other) > 2 || !axisOf(other.chain, v.mesh.nodes, v.axes, o))
+      continue;
     others.push_back({o, other.chain.nodes});
     for (const Index side : loop.sides)
       if (v.isBent(side) && (side == other.sides[0] || side == other.sides[1])) {

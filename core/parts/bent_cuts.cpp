@@ -54,23 +54,61 @@ std::optional<Proposal> halve(const PartView &v) {
 
 /// A bent side that is closed in itself, a void in the part: across the part, through its middle.
 std::optional<Proposal> throughVoid(const PartView &v, Index side) {
-  if (std::any_of(v.curves.begin(), v.curves.end(), [&](const Curve<3> *curve) {
-        return curve->sides[0] == side || curve->sides[1] == side;
-      }))
+  if (std::any_of(v.curves.begin(), v.curves.end(),
+                  [&](const Curve<3> *curve) { return curve->sides[0] == side || curve->sides[1] == side; }))
     return std::nullopt;
   Vec<3> middle{0.0};
   double area = 0;
   std::vector<Index> from;
   for (const FaceRef<3> *f = v.parts.sideFaces.begin(side); f != v.parts.sideFaces.end(side); ++f) {
     const auto face = v.mesh.sortedFace(f->simplex, f->face);
-    const double a = glm::length(
-        glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0])));
+    const double a =
+        glm::length(glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0])));
     middle += a / 3 * (v.node(face[0]) + v.node(face[1]) + v.node(face[2]));
     area += a;
     from.insert(from.end(), face.begin(), face.end());
   }
   if (!(area > 0)) return std::nullopt;
   return Proposal{planeSurface(middle / area, {0, 0, 1}), std::move(from)};
+}
+
+/// Whether all of one chain is behind a plane and all of the other in front.
+bool isBetween(const Plane<3> &plane, const std::vector<Segment<3>> &behind,
+               const std::vector<Segment<3>> &front, double tolerance) {
+  const auto isOn = [&](const std::vector<Segment<3>> &chain, double sign) {
+    return std::all_of(chain.begin(), chain.end(), [&](const Segment<3> &s) {
+      return sign * plane.distance(s[0]) > tolerance && sign * plane.distance(s[1]) > tolerance;
+    });
+  };
+  return isOn(behind, -1) && isOn(front, 1);
+}
+
+/// Of the planes through axes of the domain the one that is most like a given one and lies between two
+/// chains; along the coordinate axes where it is nearly so.
+std::optional<Plane<3>> planeBetween(const PartView &v, const Plane<3> &given,
+                                     const std::vector<Segment<3>> &behind,
+                                     const std::vector<Segment<3>> &front) {
+  constexpr double kLike = 0.95; // cosine
+  std::optional<Plane<3>> best;
+  double most = kLike;
+  for (const Axis &axis : v.axes) {
+    std::vector<Vec<3>> normals{given.normal};
+    for (int k = 0; k < 3; ++k) {
+      Vec<3> unit{0.0};
+      unit[k] = given.normal[k] < 0 ? -1 : 1;
+      normals.push_back(unit);
+    }
+    for (std::size_t k = normals.size(); k-- > 0;) {
+      const Vec<3> flat = normals[k] - glm::dot(normals[k], axis.direction) * axis.direction;
+      const double cosine = glm::dot(flat, given.normal);
+      if (cosine <= most) continue;
+      const Plane<3> plane = planeThrough(axis.centre, flat);
+      if (!isBetween(plane, behind, front, 1e-3 * v.mesh.size)) continue;
+      most = cosine;
+      best = plane;
+    }
+  }
+  return best;
 }
 
 /// Two sides that meet in several curves: between the first of them and the others.
@@ -97,6 +135,7 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
   const Vec<3> b = centre(others);
   if (glm::length(b - a) > kOnAxis * v.mesh.size) {
     const Plane<3> plane = planeThrough((a + b) / 2.0, b - a);
+    proposal.surface.plane = plane;
     bool mirrored = true;
     for (const Segment<3> &s : first)
       for (const Vec<3> &x : s) {
@@ -105,11 +144,11 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
         for (const Segment<3> &o : others) least = std::min(least, distanceTo<3>(o, image));
         mirrored &= least <= kAlike * v.mesh.size;
       }
-    if (mirrored) {
-      proposal.surface.plane = plane;
+    if (mirrored) return proposal;
+    if (const auto between = planeBetween(v, plane, first, others)) {
+      proposal.surface.plane = *between;
       return proposal;
     }
-    proposal.surface.plane = plane;
   }
   proposal.surface.bent = true;
   proposal.surface.field = std::make_shared<MiddleField<3>>(std::move(first), std::move(others));
@@ -165,8 +204,8 @@ bool turnsTooFar(const PartView &v, Index side) {
 }
 
 /// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
-/// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the plane runs from one to
-/// the other.
+/// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the
+/// plane runs from one to the other.
 std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   struct Arc {
     double turn;

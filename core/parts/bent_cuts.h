@@ -2,8 +2,8 @@
 // curves, sides that meet twice, sides that turn too far. Internal to parts/.
 #pragma once
 
-#include "parts/cut_options.h"
 #include "parts/chains.h"
+#include "parts/cut_options.h"
 
 namespace dualblock {
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 constexpr int kBentRounds = 80;
-constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help come early
+constexpr double kBentShare = 0.4;        // bent cuts are dear, and those that help come early
 constexpr std::size_t kMoreParts = 6;     // times as many for a better shape, and so many more,
 constexpr std::size_t kFewMoreParts = 12; // are none
 
@@ -108,7 +108,8 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
     isDone = budget.spend(mesh, kBentShare, simple);
     for (std::size_t c = 0; c < simple.size(); ++c) isDone[c] = isDone[c] || isSettled[c];
   }
-  if (result.early && result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
+  if (result.early &&
+      result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
     result.takeEarly(mesh);
 }
 
@@ -146,7 +147,8 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   Index lastCount = mesh.simplexCount();
   for (const Curve<N> *curve : wanting) {
     if (budget.gaveUp[at(component[at(curve->part)])]) continue;
-    if (mesh.simplexCount() > 1.25 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
+    if (mesh.simplexCount() >
+        1.25 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }

@@ -28,10 +28,10 @@ template <int N> struct EarlyParts {
 
 template <int N> struct Decomposition {
   Parts<N> parts;
-  Index reflexCuts = 0;             // split surfaces added by rule 1
-  Index vertexCuts = 0;             // by rule 2
-  Index bentCuts = 0;               // by rule 3
-  std::optional<PulledMesh> pulled; // of the parts before rule 2, where that had something to do
+  Index reflexCuts = 0;               // split surfaces added by rule 1
+  Index vertexCuts = 0;               // by rule 2
+  Index bentCuts = 0;                 // by rule 3
+  std::optional<PulledMesh> pulled;   // of the parts before rule 2, where that had something to do
   std::optional<EarlyParts<N>> early; // where bent parts were simple before the last of their cuts
   std::vector<bool> gaveUp; // per component: the block limit was reached, or cuts multiplied the simplices
 

@@ -94,27 +94,65 @@ std::optional<double> steadyAngle(const ReferenceMesh<N> &mesh, const Curve<N> &
   return std::abs(mean - 1.5 * pi) < kAlike ? 1.5 * pi : mean;
 }
 
-/// The surface through a run of a curve at an angle from its first side, given per ridge: a plane where one
-/// holds the whole run, else the planes of all ridges. Where it extends a plane facet it is the facet's own
-/// plane, so that neighbouring curves share it to the last bit.
+/// The direction of a sector's plane at a ridge of a run.
+template <int N>
+double directionAt(const ReferenceMesh<N> &mesh, const Curve<N> &curve, std::size_t ridge, std::size_t sector,
+                   const std::optional<double> &steady) {
+  const double angle = curve.frames[ridge].angle;
+  const double direction = sectorPlanes(curveKind(curve.angle), steady.value_or(angle))[sector];
+  // As seen from the plane side.
+  return steady && surfaceOf(mesh, curve, ridge, 0).bent ? direction + angle - *steady : direction;
+}
+
+/// Headings at both ends of each ridge of a run: those of the ridges around a node together, smoothed along
+/// the run, as the facets of bent sides tilt.
+std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve,
+                                                      const std::vector<std::size_t> &run,
+                                                      const std::vector<Heading<3>> &ofRidges) {
+  constexpr int kPasses = 2;
+  std::vector<Index> nodes;
+  for (const std::size_t k : run) nodes.insert(nodes.end(), curve.ridges[k].begin(), curve.ridges[k].end());
+  sortItems(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto number = [&](Index node) {
+    return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+  };
+  std::vector<Heading<3>> atRidges = ofRidges;
+  std::vector<Heading<3>> atNodes;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    atNodes.assign(nodes.size(), {Vec<3>(0.0), Vec<3>(0.0)});
+    for (std::size_t k = 0; k < run.size(); ++k)
+      for (const Index node : curve.ridges[run[k]]) {
+        atNodes[number(node)].ahead += atRidges[k].ahead;
+        atNodes[number(node)].normal += atRidges[k].normal;
+      }
+    for (Heading<3> &h : atNodes) h = {glm::normalize(h.ahead), glm::normalize(h.normal)};
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      const auto &[a, b] = curve.ridges[run[k]];
+      atRidges[k] = {atNodes[number(a)].ahead + atNodes[number(b)].ahead,
+                     atNodes[number(a)].normal + atNodes[number(b)].normal};
+    }
+  }
+  std::vector<std::array<Heading<3>, 2>> headings;
+  for (const std::size_t k : run)
+    headings.push_back({atNodes[number(curve.ridges[k][0])], atNodes[number(curve.ridges[k][1])]});
+  return headings;
+}
+
+/// The surface through a run of a curve that leaves it in the direction of a sector's plane: a plane where
+/// one holds the whole run, else a sheet. Where it extends a plane facet it is the facet's own plane, so that
+/// neighbouring curves share it to the last bit.
 template <int N>
 Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
                           const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
   const std::optional<double> steady = steadyAngle(mesh, curve, run);
+  const auto direction = [&](std::size_t k) { return directionAt(mesh, curve, k, sector, steady); };
   const auto planeOf = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
-    const auto facet = [&](std::size_t side) { return surfaceOf(mesh, curve, k, side).plane; };
-    if (steady) {
-      const std::size_t flat = surfaceOf(mesh, curve, k, 0).bent ? 1 : 0;
-      const double direction = sectorPlanes(curveKind(curve.angle), *steady)[sector];
-      if (std::abs(direction - (flat == 0 ? pi : *steady - pi)) < kSamePlane) return facet(flat);
-      return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame,
-                     flat == 0 ? direction : direction + frame.angle - *steady);
-    }
-    const double direction = sectorPlanes(curveKind(curve.angle), frame.angle)[sector];
-    if (std::abs(direction - pi) < kSamePlane) return facet(0);
-    if (std::abs(direction - (frame.angle - pi)) < kSamePlane) return facet(1);
-    return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame, direction);
+    for (std::size_t side = 0; side < 2; ++side)
+      if (std::abs(direction(k) - (side == 0 ? pi : frame.angle - pi)) < kSamePlane)
+        return surfaceOf(mesh, curve, k, side).plane;
+    return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame, direction(k));
   };
   Surface<N> surface{SurfaceKind::reflexCut, FaceTag::surface(curve.frames[run[0]].tags[0]), planeOf(run[0])};
   if constexpr (N == 3) {
@@ -123,12 +161,18 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
         surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
     if (!surface.bent) return surface;
     std::vector<Segment<N>> segments;
-    std::vector<Plane<N>> planes;
+    std::vector<Heading<N>> headings;
+    double gap = 0;
     for (const std::size_t k : run) {
       segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
-      planes.push_back(planeOf(k));
+      const RidgeFrame<N> &frame = curve.frames[k];
+      const double d = direction(k);
+      headings.push_back({std::cos(d) * frame.into - std::sin(d) * frame.outward,
+                          std::sin(d) * frame.into + std::cos(d) * frame.outward});
+      gap += (d + pi - frame.angle / 2) / static_cast<double>(run.size());
     }
-    surface.field = std::make_shared<SweptField<N>>(std::move(segments), std::move(planes));
+    surface.field =
+        std::make_shared<SweptField<N>>(std::move(segments), smoothHeadings(curve, run, headings), gap);
   }
   return surface;
 }
@@ -173,22 +217,15 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
             std::size_t sector, std::span<const Curve<N> *const> others, double snap,
             const CutOptions &options) {
   Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
-  // What extends a bent side has no business behind the curve, where the side itself is. So it starts in the
-  // sector of the plane side, which that side's own extension, cut before, bounds.
-  const bool isAhead = surface.field && steadyAngle(mesh, curve, run);
   const auto find = [&](std::size_t k) {
     const auto [f, g] = curve.frames[k].tags;
-    const auto &ends = curve.ridges[k];
-    const bool isFlatFirst = !isAhead || !surfaceOf(mesh, curve, k, 0).bent;
-    return findRidge(mesh, ends.front(), ends.back(), isFlatFirst ? f : g, isFlatFirst ? g : f,
-                     options.facetSurfaces);
+    return findRidge(mesh, curve.ridges[k].front(), curve.ridges[k].back(), f, g, options.facetSurfaces);
   };
   const auto seedsNow = [&] {
     std::vector<CutSeed<N>> seeds;
     for (const std::size_t k : run)
       if (const auto ridge = find(k))
-        seeds.push_back(
-            {ridge->simplex, ridge->from, ridge->to, isAhead ? kCrossNone : options.facetSurfaces});
+        seeds.push_back({ridge->simplex, ridge->from, ridge->to, options.facetSurfaces});
     return seeds;
   };
   if (surface.field) resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
@@ -220,11 +257,9 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<co
                      double snap, const CutOptions &options) {
   Index cuts = 0;
   const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
-  for (const auto &run : smoothRuns(mesh, curve)) {
-    const bool isBentFirst = surfaceOf(mesh, curve, run[0], 0).bent; // the plane side's extension goes first
-    for (std::size_t k = 0; k < sectors; ++k)
-      if (cutRun(mesh, curve, run, isBentFirst ? sectors - 1 - k : k, others, snap, options)) ++cuts;
-  }
+  for (const auto &run : smoothRuns(mesh, curve))
+    for (std::size_t sector = 0; sector < sectors; ++sector)
+      if (cutRun(mesh, curve, run, sector, others, snap, options)) ++cuts;
   return cuts;
 }
 

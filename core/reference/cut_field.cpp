@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace dualblock {
 namespace {
@@ -15,11 +16,14 @@ template <int N> double distanceTo(const std::vector<Segment<N>> &chain, const V
 
 } // namespace
 
-template <int N> double distanceTo(const Segment<N> &segment, const Vec<N> &x) {
+template <int N> double nearestOn(const Segment<N> &segment, const Vec<N> &x) {
   const Vec<N> along = segment[1] - segment[0];
   const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(x - segment[0], along) / square, 0.0, 1.0) : 0.0;
-  return glm::length(x - (segment[0] + t * along));
+  return square > 0 ? std::clamp(glm::dot(x - segment[0], along) / square, 0.0, 1.0) : 0.0;
+}
+
+template <int N> double distanceTo(const Segment<N> &segment, const Vec<N> &x) {
+  return glm::length(x - glm::mix(segment[0], segment[1], nearestOn<N>(segment, x)));
 }
 
 template <int N>
@@ -50,15 +54,31 @@ double rootBetween(const CutField<N> &field, const Vec<N> &a, const Vec<N> &b, d
 }
 
 template <int N> double SweptField<N>::value(const Vec<N> &x) const {
-  double least = std::numeric_limits<double>::infinity();
-  double value = 0;
+  // Each segment has a sheet. Near sheets count most, so that the whole has no steps where they part or
+  // cross; ahead of the chain distance from it hardly counts, or the sheet of an uneven chain would follow
+  // its bends.
+  constexpr double kAhead = 0.01;
+  double sum = 0;
+  double weights = 0;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const double d = dualblock::distanceTo<N>(segments_[k], x);
-    if (d >= least) continue;
-    least = d;
-    value = planes_[k].distance(x);
+    const auto &[from, to] = segments_[k];
+    const auto &[first, last] = headings_[k];
+    const double t = nearestOn<N>(segments_[k], x);
+    const Vec<N> away = x - glm::mix(from, to, t);
+    const double u = glm::dot(away, glm::mix(first.ahead, last.ahead, t));
+    double v = glm::dot(away, glm::mix(first.normal, last.normal, t));
+    const double square = glm::dot(away, away) - (u > 0 ? (1 - kAhead) * u * u : 0);
+    if (u < 0) { // behind the chain each side goes on as far as the middle of what is outside
+      const double angle = std::atan2(v, u);
+      const bool isFront = angle > 0 ? angle < gap_ : angle < gap_ - 2 * std::numbers::pi;
+      v = isFront ? std::hypot(u, v) : -std::hypot(u, v);
+    }
+    if (!(square > 0)) return v;
+    const double weight = 1 / (square * square * square * square);
+    sum += weight * v;
+    weights += weight;
   }
-  return value;
+  return sum / weights;
 }
 
 template <int N> bool SweptField<N>::isAnchor(const Vec<N> &x, double tolerance) const {
@@ -75,6 +95,8 @@ template class MiddleField<2>;
 template class MiddleField<3>;
 template double rootBetween<2>(const CutField<2> &, const Vec<2> &, const Vec<2> &, double, double);
 template double rootBetween<3>(const CutField<3> &, const Vec<3> &, const Vec<3> &, double, double);
+template double nearestOn<2>(const Segment<2> &, const Vec<2> &);
+template double nearestOn<3>(const Segment<3> &, const Vec<3> &);
 template double distanceTo<2>(const Segment<2> &, const Vec<2> &);
 template double distanceTo<3>(const Segment<3> &, const Vec<3> &);
 

@@ -26,19 +26,25 @@ public:
   virtual bool isAnchor(const Vec<N> & /*x*/, double /*tolerance*/) const { return false; }
 };
 
-/// The planes of a chain's segments, each where its segment is the nearest: the extension of a bent side
-/// beyond a curve. It vanishes along the chain.
+/// A direction across a chain, and the normal beside it.
+template <int N> struct Heading { Vec<N> ahead, normal; };
+
+/// A sheet that leaves a chain ahead, into the domain: the extension of a bent side beyond a curve. It ends
+/// at the chain. Between the ends of a segment the heading turns from the one to the other, so that the sheet
+/// has no steps.
 template <int N> class SweptField final : public CutField<N> {
 public:
-  /// planes[k] holds segments[k].
-  SweptField(std::vector<Segment<N>> segments, std::vector<Plane<N>> planes)
-      : segments_(std::move(segments)), planes_(std::move(planes)) {}
+  /// headings[k]: at both ends of segments[k]; `gap`: the angle, from ahead towards the normal and below 2
+  /// pi, at which the outside begins to be the other side's.
+  SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings, double gap)
+      : segments_(std::move(segments)), headings_(std::move(headings)), gap_(gap) {}
   double value(const Vec<N> &x) const override;
   bool isAnchor(const Vec<N> &x, double tolerance) const override;
 
 private:
   std::vector<Segment<N>> segments_;
-  std::vector<Plane<N>> planes_;
+  std::vector<std::array<Heading<N>, 2>> headings_;
+  double gap_;
 };
 
 /// The distance to one chain less that to another: its zero set runs between the two.
@@ -53,7 +59,11 @@ private:
 };
 
 /// Where the field vanishes between a and b, from 0 at a to 1 at b, given its values there, of unlike signs.
-template <int N> double rootBetween(const CutField<N> &field, const Vec<N> &a, const Vec<N> &b, double va, double vb);
+template <int N>
+double rootBetween(const CutField<N> &field, const Vec<N> &a, const Vec<N> &b, double va, double vb);
+
+/// Where a segment is nearest to a point, from 0 to 1.
+template <int N> double nearestOn(const Segment<N> &segment, const Vec<N> &x);
 
 /// Distance of a point from a segment.
 template <int N> double distanceTo(const Segment<N> &segment, const Vec<N> &x);
@@ -64,6 +74,8 @@ extern template class MiddleField<2>;
 extern template class MiddleField<3>;
 extern template double rootBetween<2>(const CutField<2> &, const Vec<2> &, const Vec<2> &, double, double);
 extern template double rootBetween<3>(const CutField<3> &, const Vec<3> &, const Vec<3> &, double, double);
+extern template double nearestOn<2>(const Segment<2> &, const Vec<2> &);
+extern template double nearestOn<3>(const Segment<3> &, const Vec<3> &);
 extern template double distanceTo<2>(const Segment<2> &, const Vec<2> &);
 extern template double distanceTo<3>(const Segment<3> &, const Vec<3> &);
 

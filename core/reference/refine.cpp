@@ -126,7 +126,7 @@ template <int N>
 bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const std::vector<double> &values,
                   Index s, double tolerance) {
   constexpr double kSagitta = 0.2; // of the chord's length
-  std::array<Vec<N>, 4> crossings;  // no plane crosses more edges of a tetrahedron
+  std::array<Vec<N>, 4> crossings; // no plane crosses more edges of a tetrahedron
   std::size_t count = 0;
   const auto &v = mesh.simplices[at(s)];
   for (int i = 0; i < N + 1; ++i)

@@ -17,12 +17,12 @@ template <int N> void splitRandomEdges(ReferenceMesh<N> &mesh, std::uint32_t see
 /// Splits the given edges (pairs of nodes, any order) at their midpoints.
 template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<Index, Index>> edges);
 
-/// Prepares a cut along a surface with a field: splits edges that it crosses unseen, twice, where three points
-/// between the ends show it, and those where a node put by linear interpolation would stand clearly off it;
-/// several times over, as new edges appear. Only where the cut that begins at the `seeds`, asked for anew each
-/// time, would come. `followsChords`: also the longest edges of simplices that the cut would go straight
-/// through where the zero set is clearly bent. That takes many more nodes, and helps where a later cut has to
-/// cross this one once.
+/// Prepares a cut along a surface with a field: splits edges that it crosses unseen, twice, where three
+/// points between the ends show it, and those where a node put by linear interpolation would stand clearly
+/// off it; several times over, as new edges appear. Only where the cut that begins at the `seeds`, asked for
+/// anew each time, would come. `followsChords`: also the longest edges of simplices that the cut would go
+/// straight through where the zero set is clearly bent. That takes many more nodes, and helps where a later
+/// cut has to cross this one once.
 template <int N>
 void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
              const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords);
