@@ -8,6 +8,7 @@
 #include "base/sort.h"
 #include "parts/ridge.h"
 #include "parts/sectors.h"
+#include "parts/sheets.h"
 #include "reference/cut.h"
 #include "reference/patches.h"
 #include "reference/refine.h"
@@ -104,47 +105,13 @@ double directionAt(const ReferenceMesh<N> &mesh, const Curve<N> &curve, std::siz
   return steady && surfaceOf(mesh, curve, ridge, 0).bent ? direction + angle - *steady : direction;
 }
 
-/// Headings at both ends of each ridge of a run: those of the ridges around a node together, smoothed along
-/// the run, as the facets of bent sides tilt.
-std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve,
-                                                      const std::vector<std::size_t> &run,
-                                                      const std::vector<Heading<3>> &ofRidges) {
-  constexpr int kPasses = 2;
-  std::vector<Index> nodes;
-  for (const std::size_t k : run) nodes.insert(nodes.end(), curve.ridges[k].begin(), curve.ridges[k].end());
-  sortItems(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const auto number = [&](Index node) {
-    return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
-  };
-  std::vector<Heading<3>> atRidges = ofRidges;
-  std::vector<Heading<3>> atNodes;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    atNodes.assign(nodes.size(), {Vec<3>(0.0), Vec<3>(0.0)});
-    for (std::size_t k = 0; k < run.size(); ++k)
-      for (const Index node : curve.ridges[run[k]]) {
-        atNodes[number(node)].ahead += atRidges[k].ahead;
-        atNodes[number(node)].normal += atRidges[k].normal;
-      }
-    for (Heading<3> &h : atNodes) h = {glm::normalize(h.ahead), glm::normalize(h.normal)};
-    for (std::size_t k = 0; k < run.size(); ++k) {
-      const auto &[a, b] = curve.ridges[run[k]];
-      atRidges[k] = {atNodes[number(a)].ahead + atNodes[number(b)].ahead,
-                     atNodes[number(a)].normal + atNodes[number(b)].normal};
-    }
-  }
-  std::vector<std::array<Heading<3>, 2>> headings;
-  for (const std::size_t k : run)
-    headings.push_back({atNodes[number(curve.ridges[k][0])], atNodes[number(curve.ridges[k][1])]});
-  return headings;
-}
-
 /// The surface through a run of a curve that leaves it in the direction of a sector's plane: a plane where
 /// one holds the whole run, else a sheet. Where it extends a plane facet it is the facet's own plane, so that
 /// neighbouring curves share it to the last bit.
 template <int N>
 Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
-                          const std::vector<std::size_t> &run, std::size_t sector, double tolerance) {
+                          const std::vector<std::size_t> &run, std::size_t sector,
+                          std::span<const Curve<N>> curves, double tolerance) {
   const std::optional<double> steady = steadyAngle(mesh, curve, run);
   const auto direction = [&](std::size_t k) { return directionAt(mesh, curve, k, sector, steady); };
   const auto planeOf = [&](std::size_t k) {
@@ -160,19 +127,9 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
       for (const Index node : curve.ridges[k])
         surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
     if (!surface.bent) return surface;
-    std::vector<Segment<N>> segments;
-    std::vector<Heading<N>> headings;
-    double gap = 0;
-    for (const std::size_t k : run) {
-      segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
-      const RidgeFrame<N> &frame = curve.frames[k];
-      const double d = direction(k);
-      headings.push_back({std::cos(d) * frame.into - std::sin(d) * frame.outward,
-                          std::sin(d) * frame.into + std::cos(d) * frame.outward});
-      gap += (d + pi - frame.angle / 2) / static_cast<double>(run.size());
-    }
-    surface.field =
-        std::make_shared<SweptField<N>>(std::move(segments), smoothHeadings(curve, run, headings), gap);
+    SheetStart start{curve, run, {}, rangeOfSheet(curve, run, sector)};
+    for (const std::size_t k : run) start.directions.push_back(direction(k));
+    surface.field = sheetThrough(mesh, start, curves);
   }
   return surface;
 }
@@ -214,9 +171,9 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
 /// Cuts along one sector plane of one run. Returns whether there was something to cut.
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
-            std::size_t sector, std::span<const Curve<N> *const> others, double snap,
-            const CutOptions &options) {
-  Surface<N> surface = surfaceThrough(mesh, curve, run, sector, options.tolerance);
+            std::size_t sector, std::span<const Curve<N> *const> others, std::span<const Curve<N>> curves,
+            double snap, const CutOptions &options) {
+  Surface<N> surface = surfaceThrough(mesh, curve, run, sector, curves, options.tolerance);
   const auto find = [&](std::size_t k) {
     const auto [f, g] = curve.frames[k].tags;
     return findRidge(mesh, curve.ridges[k].front(), curve.ridges[k].back(), f, g, options.facetSurfaces);
@@ -228,6 +185,12 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
         seeds.push_back({ridge->simplex, ridge->from, ridge->to, options.facetSurfaces});
     return seeds;
   };
+  if constexpr (N == 3)
+    if (surface.field) // there may be a sheet that runs from another curve to this one
+      if (const auto ridge = find(run[0]))
+        if (isCutWithin(mesh, *ridge, curve.frames[run[0]], rangeOfSheet(curve, run, sector),
+                        options.facetSurfaces))
+          return false;
   if (surface.field) resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
   const auto ridge = find(run[0]);
   if (!ridge) return false;
@@ -254,18 +217,18 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
 
 template <int N>
 Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
-                     double snap, const CutOptions &options) {
+                     std::span<const Curve<N>> curves, double snap, const CutOptions &options) {
   Index cuts = 0;
   const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
   for (const auto &run : smoothRuns(mesh, curve))
     for (std::size_t sector = 0; sector < sectors; ++sector)
-      if (cutRun(mesh, curve, run, sector, others, snap, options)) ++cuts;
+      if (cutRun(mesh, curve, run, sector, others, curves, snap, options)) ++cuts;
   return cuts;
 }
 
-template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>, double,
+template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>, std::span<const Curve<2>>, double,
                               const CutOptions &);
-template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>, double,
+template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>, std::span<const Curve<3>>, double,
                               const CutOptions &);
 
 } // namespace dualblock

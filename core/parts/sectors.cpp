@@ -94,15 +94,15 @@ bool isCutWithin(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Ridg
       const Index tag = mesh.tags[at(s)][i];
       if (tag == kNone || FaceTag::surface(tag) < facetSurfaces || (onRidge >> i & 1)) continue;
       const Surface<N> &surface = mesh.surfaces[at(FaceTag::surface(tag))];
-      if (surface.field) continue;
-      // The plane knows the direction but for its sign, which even a sliver's face tells.
+      // A plane knows the direction but for its sign, which even a sliver's face tells.
       const Vec<N> along = glm::dot(surface.plane.normal, frame.outward) * frame.into -
                            glm::dot(surface.plane.normal, frame.into) * frame.outward;
       for (int v = 0; v < N + 1; ++v) {
         if (v == i || (onRidge >> v & 1)) continue;
         const Vec<N> away = mesh.nodes[at(mesh.simplices[at(s)][v])] -
                             mesh.nodes[at(mesh.simplices[at(s)][std::countr_zero(onRidge)])];
-        found |= range.has(directionOf<N>(frame, glm::dot(away, along) < 0 ? -along : along));
+        const Vec<N> inPlane = glm::dot(away, along) < 0 ? -along : along;
+        found |= range.has(directionOf<N>(frame, surface.field ? away : inPlane));
       }
     }
   };

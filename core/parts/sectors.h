@@ -36,7 +36,7 @@ std::optional<Plane<N>> sharedPlane(const ReferenceMesh<N> &mesh, const Curve<N>
                                     const DirectionRange &range, std::span<const Curve<N> *const> others,
                                     double tolerance);
 
-/// Whether a plane split surface leaves the ridge in a direction of the range.
+/// Whether a split surface leaves the ridge in a direction of the range.
 template <int N>
 bool isCutWithin(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const RidgeFrame<N> &frame,
                  const DirectionRange &range, Index facetSurfaces);

@@ -70,7 +70,7 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
     const double square = glm::dot(away, away) - (u > 0 ? (1 - kAhead) * u * u : 0);
     if (u < 0) { // behind the chain each side goes on as far as the middle of what is outside
       const double angle = std::atan2(v, u);
-      const bool isFront = angle > 0 ? angle < gap_ : angle < gap_ - 2 * std::numbers::pi;
+      const bool isFront = angle > 0 ? angle < gaps_[k] : angle < gaps_[k] - 2 * std::numbers::pi;
       v = isFront ? std::hypot(u, v) : -std::hypot(u, v);
     }
     if (!(square > 0)) return v;

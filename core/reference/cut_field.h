@@ -34,17 +34,18 @@ template <int N> struct Heading { Vec<N> ahead, normal; };
 /// has no steps.
 template <int N> class SweptField final : public CutField<N> {
 public:
-  /// headings[k]: at both ends of segments[k]; `gap`: the angle, from ahead towards the normal and below 2
-  /// pi, at which the outside begins to be the other side's.
-  SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings, double gap)
-      : segments_(std::move(segments)), headings_(std::move(headings)), gap_(gap) {}
+  /// Per segment: its headings at both ends; the angle, from ahead towards the normal and below 2 pi, at which
+  /// the outside begins to be the other side's.
+  SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings,
+             std::vector<double> gaps)
+      : segments_(std::move(segments)), headings_(std::move(headings)), gaps_(std::move(gaps)) {}
   double value(const Vec<N> &x) const override;
   bool isAnchor(const Vec<N> &x, double tolerance) const override;
 
 private:
   std::vector<Segment<N>> segments_;
   std::vector<std::array<Heading<N>, 2>> headings_;
-  double gap_;
+  std::vector<double> gaps_;
 };
 
 /// The distance to one chain less that to another: its zero set runs between the two.
