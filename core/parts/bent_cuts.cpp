@@ -264,7 +264,8 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
                   halfOf(v, chain, axis, towards)};
 }
 
-std::vector<Proposal> proposals(const PartView &v) {
+/// What would make a part simple.
+std::vector<Proposal> simplifying(const PartView &v) {
   std::vector<Proposal> list;
   const auto add = [&](std::optional<Proposal> proposal) {
     if (proposal) list.push_back(std::move(*proposal));
@@ -300,8 +301,15 @@ std::vector<Proposal> proposals(const PartView &v) {
   for (const Corner *corner : v.corners)
     if (corner->sides.size() < 3) add(throughKink(v, *corner));
   add(betweenCorners(v));
-  for (const Index *side = first; side != last; ++side)
-    if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side)) add(acrossArc(v, *side));
+  return list;
+}
+
+/// What would make a part's shape better.
+std::vector<Proposal> shaping(const PartView &v) {
+  std::vector<Proposal> list;
+  for (const Index *side = v.parts.partSides.begin(v.part); side != v.parts.partSides.end(v.part); ++side)
+    if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side))
+      if (std::optional<Proposal> proposal = acrossArc(v, *side)) list.push_back(std::move(*proposal));
   return list;
 }
 
@@ -353,20 +361,21 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
                  const CutOptions &options, const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
-  std::size_t curve = 0;
-  std::size_t corner = 0;
-  PartView v{mesh, parts, 0, {}, {}, axes};
-  for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
-    v.part = part;
-    v.curves.clear();
-    v.corners.clear();
-    for (; curve < parts.curves.size() && parts.curves[curve].part == part; ++curve)
-      v.curves.push_back(&parts.curves[curve]);
-    for (; corner < parts.corners.size() && parts.corners[corner].part == part; ++corner)
-      v.corners.push_back(&parts.corners[corner]);
-    if (gaveUp[at(component[at(part)])]) continue;
-    for (const Proposal &proposal : proposals(v))
-      if (carryOut(mesh, v, proposal, options)) return true;
+  for (const auto propose : {simplifying, shaping}) { // all parts are simple before any is bettered
+    PartView v{mesh, parts, 0, {}, {}, axes};
+    std::size_t curve = 0;
+    std::size_t corner = 0;
+    for (; v.part < toIndex(parts.parts.size()); ++v.part) {
+      v.curves.clear();
+      v.corners.clear();
+      for (; curve < parts.curves.size() && parts.curves[curve].part == v.part; ++curve)
+        v.curves.push_back(&parts.curves[curve]);
+      for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
+        v.corners.push_back(&parts.corners[corner]);
+      if (gaveUp[at(component[at(v.part)])]) continue;
+      for (const Proposal &proposal : propose(v))
+        if (carryOut(mesh, v, proposal, options)) return true;
+    }
   }
   return false;
 }

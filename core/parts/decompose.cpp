@@ -11,9 +11,9 @@ namespace {
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 constexpr int kBentRounds = 80;
-constexpr double kBentShare = 0.4;        // bent cuts are dear, and those that help come early
-constexpr std::size_t kMoreParts = 6;     // times as many for a better shape, and so many more,
-constexpr std::size_t kFewMoreParts = 12; // are none
+constexpr double kBentShare = 0.4;       // bent cuts are dear, and those that help come early
+constexpr std::size_t kMoreParts = 3;    // times as many for a better shape, and so many more,
+constexpr std::size_t kFewMoreParts = 6; // are none
 
 /// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts
 /// would give more blocks than the fallback, that is cheaper and no worse.

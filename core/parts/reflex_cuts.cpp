@@ -226,9 +226,9 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<co
   return cuts;
 }
 
-template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>, std::span<const Curve<2>>, double,
-                              const CutOptions &);
-template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>, std::span<const Curve<3>>, double,
-                              const CutOptions &);
+template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>,
+                              std::span<const Curve<2>>, double, const CutOptions &);
+template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>,
+                              std::span<const Curve<3>>, double, const CutOptions &);
 
 } // namespace dualblock

@@ -16,8 +16,7 @@ constexpr double kSteady = pi / 18; // directions to one curve differ by less al
 
 /// Headings at both ends of each ridge of a run: those of the ridges around a node together, smoothed along
 /// the run, as the facets of bent sides tilt.
-std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve,
-                                                      std::span<const std::size_t> run,
+std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve, std::span<const std::size_t> run,
                                                       const std::vector<Heading<3>> &ofRidges) {
   constexpr int kPasses = 2;
   std::vector<Index> nodes;
@@ -105,7 +104,8 @@ std::optional<std::vector<double>> directionsTo(const std::vector<Vec<3>> &nodes
 bool isWelcome(const std::vector<Vec<3>> &nodes, const SheetStart &start, const Curve<3> &target) {
   std::vector<std::size_t> all(target.ridges.size());
   std::iota(all.begin(), all.end(), 0);
-  for (std::size_t sector = 0; sector < sectorPlanes(curveKind(target.angle), target.angle).size(); ++sector) {
+  for (std::size_t sector = 0; sector < sectorPlanes(curveKind(target.angle), target.angle).size();
+       ++sector) {
     double distance = 0;
     if (directionsTo(nodes, {target, all, {}, rangeOfSheet(target, all, sector)}, start.curve, distance))
       return true;

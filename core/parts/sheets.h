@@ -16,8 +16,8 @@ struct SheetStart {
 /// How far a sheet in the place of a sector's plane may turn.
 DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> run, std::size_t sector);
 
-/// The sheet; where another closed curve of the part wants one, too, it runs from the one to the other: sheets
-/// that miss a curve by little leave parts like shavings.
+/// The sheet; where another closed curve of the part wants one, too, it runs from the one to the other:
+/// sheets that miss a curve by little leave parts like shavings.
 std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, const SheetStart &start,
                                                 std::span<const Curve<3>> curves);
 

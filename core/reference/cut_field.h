@@ -34,8 +34,8 @@ template <int N> struct Heading { Vec<N> ahead, normal; };
 /// has no steps.
 template <int N> class SweptField final : public CutField<N> {
 public:
-  /// Per segment: its headings at both ends; the angle, from ahead towards the normal and below 2 pi, at which
-  /// the outside begins to be the other side's.
+  /// Per segment: its headings at both ends; the angle, from ahead towards the normal and below 2 pi, at
+  /// which the outside begins to be the other side's.
   SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings,
              std::vector<double> gaps)
       : segments_(std::move(segments)), headings_(std::move(headings)), gaps_(std::move(gaps)) {}
