@@ -200,12 +200,13 @@ template <int N>
     const bool built = buildDual(r, partOptions, everyFace, clock);
     if (built) buildResult(r, options, clock);
     if (built && r.certificate.valid) break;
-    if (decomposition.early && r.fallbackComponents + r.pulledComponents == 0) {
-      decomposition.takeEarly(r.mesh);
-      takeParts();
-      r.certificate = {};
-      continue;
-    }
+    if constexpr (N == 3)
+      if (decomposition.early && r.fallbackComponents + r.pulledComponents == 0) {
+        takeEarly(r.mesh, decomposition);
+        takeParts();
+        r.certificate = {};
+        continue;
+      }
     if (!mayFallBack) return false;
     if (r.fallbackComponents == r.mesh.componentCount) {
       if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");

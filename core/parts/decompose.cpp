@@ -101,7 +101,8 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
       continue;
     }
     if (areSimple && !result.early)
-      result.early = {std::move(before), std::move(result.parts), result.bentCuts};
+      result.early = std::make_shared<EarlyParts>(
+          EarlyParts{std::move(before), std::move(result.parts), result.bentCuts});
     ++result.bentCuts;
     result.parts = std::move(parts);
     simple = isSimpleNow;
@@ -110,7 +111,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   }
   if (result.early &&
       result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
-    result.takeEarly(mesh);
+    takeEarly(mesh, result);
 }
 
 /// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
@@ -157,6 +158,14 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
 }
 
 } // namespace
+
+void takeEarly(ReferenceMesh<3> &mesh, Decomposition<3> &decomposition) {
+  mesh = std::move(decomposition.early->mesh);
+  decomposition.parts = std::move(decomposition.early->parts);
+  decomposition.bentCuts = decomposition.early->bentCuts;
+  decomposition.vertexCuts = 0;
+  decomposition.early.reset();
+}
 
 template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {

@@ -20,28 +20,20 @@ struct DecomposeOptions : CutOptions {
 };
 
 /// A mesh and its parts, before cuts that only better the shape of parts.
-template <int N> struct EarlyParts {
-  ReferenceMesh<N> mesh;
-  Parts<N> parts;
+struct EarlyParts {
+  ReferenceMesh<3> mesh;
+  Parts<3> parts;
   Index bentCuts;
 };
 
 template <int N> struct Decomposition {
   Parts<N> parts;
-  Index reflexCuts = 0;               // split surfaces added by rule 1
-  Index vertexCuts = 0;               // by rule 2
-  Index bentCuts = 0;                 // by rule 3
-  std::optional<PulledMesh> pulled;   // of the parts before rule 2, where that had something to do
-  std::optional<EarlyParts<N>> early; // where bent parts were simple before the last of their cuts
+  Index reflexCuts = 0;              // split surfaces added by rule 1
+  Index vertexCuts = 0;              // by rule 2
+  Index bentCuts = 0;                // by rule 3
+  std::optional<PulledMesh> pulled;  // of the parts before rule 2, where that had something to do
+  std::shared_ptr<EarlyParts> early; // where bent parts were simple before the last of their cuts
   std::vector<bool> gaveUp; // per component: the block limit was reached, or cuts multiplied the simplices
-
-  void takeEarly(ReferenceMesh<N> &mesh) {
-    mesh = std::move(early->mesh);
-    parts = std::move(early->parts);
-    bentCuts = early->bentCuts;
-    vertexCuts = 0;
-    early.reset();
-  }
 };
 
 /// Cuts `mesh`, whose parts are `uncut`, into more parts. Reflex curves get the number of sectors that their
@@ -49,6 +41,9 @@ template <int N> struct Decomposition {
 /// helps.
 template <int N>
 Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options);
+
+/// Goes back to the parts before those cuts.
+void takeEarly(ReferenceMesh<3> &mesh, Decomposition<3> &decomposition);
 
 extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
 extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);

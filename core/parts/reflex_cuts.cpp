@@ -186,12 +186,13 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
     return seeds;
   };
   if constexpr (N == 3)
-    if (surface.field) // there may be a sheet that runs from another curve to this one
-      if (const auto ridge = find(run[0]))
-        if (isCutWithin(mesh, *ridge, curve.frames[run[0]], rangeOfSheet(curve, run, sector),
-                        options.facetSurfaces))
-          return false;
-  if (surface.field) resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
+    if (surface.field) {
+      const auto known = find(run[0]); // there may be a sheet that runs from another curve to this one
+      if (known && isCutWithin(mesh, *known, curve.frames[run[0]], rangeOfSheet(curve, run, sector),
+                               options.facetSurfaces))
+        return false;
+      resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
+    }
   const auto ridge = find(run[0]);
   if (!ridge) return false;
   if (!surface.field && curveKind(curve.angle) == CurveKind::side)

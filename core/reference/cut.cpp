@@ -228,7 +228,9 @@ Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<
     const double db = section.value(b);
     const Vec<N> &from = mesh.nodes[at(a)];
     const Vec<N> &to = mesh.nodes[at(b)];
-    const double t = along.field ? rootBetween<N>(*along.field, from, to, da, db) : da / (da - db);
+    double t = da / (da - db);
+    if constexpr (N == 3)
+      if (along.field) t = rootBetween<N>(*along.field, from, to, da, db);
     const Vec<N> x = from + t * (to - from);
     splits.push_back({a, b, mesh.nodeCount()});
     mesh.nodes.push_back(x);
@@ -256,8 +258,6 @@ Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<
   return faces;
 }
 
-template std::vector<Index> sectionOf(const ReferenceMesh<2> &, const Surface<2> &,
-                                      const std::vector<CutSeed<2>> &, double);
 template std::vector<Index> sectionOf(const ReferenceMesh<3> &, const Surface<3> &,
                                       const std::vector<CutSeed<3>> &, double);
 template Index cutAlong(ReferenceMesh<2> &, Index, const std::vector<CutSeed<2>> &, double);

@@ -28,8 +28,6 @@ std::vector<Index> sectionOf(const ReferenceMesh<N> &mesh, const Surface<N> &sur
 template <int N>
 Index cutAlong(ReferenceMesh<N> &mesh, Index surface, const std::vector<CutSeed<N>> &seeds, double tolerance);
 
-extern template std::vector<Index> sectionOf(const ReferenceMesh<2> &, const Surface<2> &,
-                                             const std::vector<CutSeed<2>> &, double);
 extern template std::vector<Index> sectionOf(const ReferenceMesh<3> &, const Surface<3> &,
                                              const std::vector<CutSeed<3>> &, double);
 extern template Index cutAlong(ReferenceMesh<2> &, Index, const std::vector<CutSeed<2>> &, double);

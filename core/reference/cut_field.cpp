@@ -71,7 +71,7 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
     if (u < 0) { // behind the chain each side goes on as far as the middle of what is outside
       const double angle = std::atan2(v, u);
       const bool isFront = angle > 0 ? angle < gaps_[k] : angle < gaps_[k] - 2 * std::numbers::pi;
-      v = isFront ? std::hypot(u, v) : -std::hypot(u, v);
+      v = (isFront ? 1 : -1) * std::sqrt(u * u + v * v);
     }
     if (!(square > 0)) return v;
     const double weight = 1 / (square * square * square * square);
@@ -89,15 +89,10 @@ template <int N> double MiddleField<N>::value(const Vec<N> &x) const {
   return distanceTo<N>(first_, x) - distanceTo<N>(second_, x);
 }
 
-template class SweptField<2>;
 template class SweptField<3>;
-template class MiddleField<2>;
 template class MiddleField<3>;
-template double rootBetween<2>(const CutField<2> &, const Vec<2> &, const Vec<2> &, double, double);
 template double rootBetween<3>(const CutField<3> &, const Vec<3> &, const Vec<3> &, double, double);
-template double nearestOn<2>(const Segment<2> &, const Vec<2> &);
 template double nearestOn<3>(const Segment<3> &, const Vec<3> &);
-template double distanceTo<2>(const Segment<2> &, const Vec<2> &);
 template double distanceTo<3>(const Segment<3> &, const Vec<3> &);
 
 } // namespace dualblock

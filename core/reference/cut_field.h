@@ -69,15 +69,10 @@ template <int N> double nearestOn(const Segment<N> &segment, const Vec<N> &x);
 /// Distance of a point from a segment.
 template <int N> double distanceTo(const Segment<N> &segment, const Vec<N> &x);
 
-extern template class SweptField<2>;
 extern template class SweptField<3>;
-extern template class MiddleField<2>;
 extern template class MiddleField<3>;
-extern template double rootBetween<2>(const CutField<2> &, const Vec<2> &, const Vec<2> &, double, double);
 extern template double rootBetween<3>(const CutField<3> &, const Vec<3> &, const Vec<3> &, double, double);
-extern template double nearestOn<2>(const Segment<2> &, const Vec<2> &);
 extern template double nearestOn<3>(const Segment<3> &, const Vec<3> &);
-extern template double distanceTo<2>(const Segment<2> &, const Vec<2> &);
 extern template double distanceTo<3>(const Segment<3> &, const Vec<3> &);
 
 } // namespace dualblock

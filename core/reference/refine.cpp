@@ -219,8 +219,6 @@ void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
   }
 }
 
-template void resolve(ReferenceMesh<2> &, const Surface<2> &,
-                      const std::function<std::vector<CutSeed<2>>()> &, double, bool);
 template void resolve(ReferenceMesh<3> &, const Surface<3> &,
                       const std::function<std::vector<CutSeed<3>>()> &, double, bool);
 template void splitLongEdges(ReferenceMesh<2> &, double);

@@ -27,8 +27,6 @@ template <int N>
 void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
              const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords);
 
-extern template void resolve(ReferenceMesh<2> &, const Surface<2> &,
-                             const std::function<std::vector<CutSeed<2>>()> &, double, bool);
 extern template void resolve(ReferenceMesh<3> &, const Surface<3> &,
                              const std::function<std::vector<CutSeed<3>>()> &, double, bool);
 
