@@ -156,8 +156,8 @@ std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, co
                                                 std::span<const Curve<3>> curves) {
   std::vector<double> directions = start.directions;
   const Curve<3> *target = nullptr;
+  double nearest = std::numeric_limits<double>::infinity();
   if (!start.curve.open && start.run.size() == start.curve.ridges.size()) {
-    double nearest = std::numeric_limits<double>::infinity();
     for (const Curve<3> &curve : curves) {
       if (curve.part != start.curve.part || curve.open || curve.sides == start.curve.sides ||
           curve.frames.empty())
@@ -203,7 +203,7 @@ std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, co
       }
     }
   }
-  return std::make_shared<SweptField<3>>(std::move(segments), std::move(smooth), std::move(gaps));
+  return std::make_shared<SweptField<3>>(std::move(segments), std::move(smooth), std::move(gaps), nearest);
 }
 
 } // namespace dualblock

@@ -67,7 +67,8 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
     const Vec<N> away = x - glm::mix(from, to, t);
     const double u = glm::dot(away, glm::mix(first.ahead, last.ahead, t));
     double v = glm::dot(away, glm::mix(first.normal, last.normal, t));
-    const double square = glm::dot(away, away) - (u > 0 ? (1 - kAhead) * u * u : 0);
+    const double within = std::clamp(u, 0.0, reach_);
+    const double square = glm::dot(away, away) - (1 - kAhead) * within * within;
     if (u < 0) { // behind the chain each side goes on as far as the middle of what is outside
       const double angle = std::atan2(v, u);
       const bool isFront = angle > 0 ? angle < gaps_[k] : angle < gaps_[k] - 2 * std::numbers::pi;

@@ -35,10 +35,11 @@ template <int N> struct Heading { Vec<N> ahead, normal; };
 template <int N> class SweptField final : public CutField<N> {
 public:
   /// Per segment: its headings at both ends; the angle, from ahead towards the normal and below 2 pi, at
-  /// which the outside begins to be the other side's.
+  /// which the outside begins to be the other side's. `reach`: how far ahead it goes.
   SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings,
-             std::vector<double> gaps)
-      : segments_(std::move(segments)), headings_(std::move(headings)), gaps_(std::move(gaps)) {}
+             std::vector<double> gaps, double reach)
+      : segments_(std::move(segments)), headings_(std::move(headings)), gaps_(std::move(gaps)),
+        reach_(reach) {}
   double value(const Vec<N> &x) const override;
   bool isAnchor(const Vec<N> &x, double tolerance) const override;
 
@@ -46,6 +47,7 @@ private:
   std::vector<Segment<N>> segments_;
   std::vector<std::array<Heading<N>, 2>> headings_;
   std::vector<double> gaps_;
+  double reach_;
 };
 
 /// The distance to one chain less that to another: its zero set runs between the two.

@@ -1,0 +1,121 @@
+// Parts as they come from workshops: holes, steps, teeth. The counts follow from how one would cut them by
+// hand.
+#include <gtest/gtest.h>
+
+#include "support/round_solids.h"
+
+namespace dualblock::test {
+namespace {
+
+void expectParts(const Domain<3> &domain, std::size_t parts, std::size_t blocks,
+                 const PipelineOptions &options = {}) {
+  SCOPED_TRACE(domain.name + ", seed " + std::to_string(options.seed));
+  const PipelineResult<3> r = run(domain, options);
+  EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
+  EXPECT_EQ(r.parts.parts.size(), parts);
+  EXPECT_EQ(r.primal.blocks.size(), blocks);
+}
+
+Domain<3> plateWithHoles(const std::vector<Vec<2>> &centres) {
+  Domain<3> domain = prism({{0, 0}, {10, 0}, {10, 8}, {0, 8}}, 0, 1);
+  for (const Vec<2> &centre : centres) addHole(domain, circle(16, 0.7, centre), 0, 1);
+  domain.name = "plate with " + std::to_string(centres.size()) + " holes";
+  return domain;
+}
+
+Domain<3> gear(int teeth) {
+  std::vector<Vec<2>> outline;
+  for (int k = 0; k < teeth; ++k) {
+    const double angle = 2 * std::numbers::pi * k / teeth;
+    const double half = std::asin(0.3 / 2);
+    const auto put = [&](double turn, double radius) {
+      outline.emplace_back(radius * std::cos(angle + turn), radius * std::sin(angle + turn));
+    };
+    put(-half, 2);
+    put(-half * 2 / 2.6, 2.6);
+    put(half * 2 / 2.6, 2.6);
+    put(half, 2);
+    for (int m = 1; m < 4; ++m) put(half + m * (2 * std::numbers::pi / teeth - 2 * half) / 4, 2);
+  }
+  Domain<3> domain = prism(outline, 0, 1);
+  addHole(domain, circle(32, 0.8), 0, 1);
+  domain.name = "gear";
+  return domain;
+}
+
+// Planes through the axes of two holes each, as far as they go, leave corners (a pentagon), edges (a hexagon)
+// and a middle of eight sides, each a prism: two blocks per corner of their polygon.
+TEST(MachinedParts, PlateWithFourHoles) {
+  expectParts(plateWithHoles({{2, 2}, {8, 2}, {2, 6}, {8, 6}}), 9, 2 * (4 * 5 + 4 * 6 + 8));
+}
+
+TEST(MachinedParts, PlateWithTwoHoles) {
+  const PipelineResult<3> r = run(plateWithHoles({{3, 4}, {7, 4}}));
+  EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
+  EXPECT_LE(r.primal.blocks.size(), 80U);
+}
+
+// A circle's nodes are seldom evenly spaced: their mean is beside the axis, and a plane through it would miss
+// the corners of the plate by little, which leaves slivers.
+TEST(MachinedParts, UnevenCircle) {
+  Domain<3> domain = prism({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, 0, 1);
+  std::vector<Vec<2>> hole;
+  for (int k = 0; k < 24; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 24;
+    hole.emplace_back(0.8 * std::cos(angle + 0.05 * std::sin(angle)),
+                      0.8 * std::sin(angle + 0.05 * std::sin(angle)));
+  }
+  addHole(domain, hole, 0, 1);
+  domain.name = "uneven hole";
+  expectParts(domain, 4, 32);
+}
+
+// Quarters around the axis: three lengths of core (prisms of three sides, six blocks), and a ring around the
+// middle one, whose inner side runs from the one shaft to the other instead of missing both.
+TEST(MachinedParts, ShaftOfThreeSteps) {
+  Domain<3> shaft = revolved({{0, 0}, {1, 0}, {1, 4}, {2, 4}, {2, 7}, {1.2, 7}, {1.2, 10}, {0, 10}}, 24);
+  shaft.name = "shaft of three steps";
+  expectParts(shaft, 16, 4 * (3 * 6 + 8));
+}
+
+// A shaft whose wall has nodes in between: its facets tilt, and the side that extends them must not.
+TEST(MachinedParts, WallsOfManyFacets) {
+  std::vector<Vec<2>> profile{{0, 0}, {2, 0}, {2, 2}, {1.2, 2}};
+  for (int k = 1; k < 4; ++k) profile.emplace_back(1.2, 2 + k);
+  profile.emplace_back(0, 5);
+  Domain<3> domain = revolved(profile, 16);
+  // Every second ring of the upper wall is turned by half a step: no two facets of it are in a plane.
+  for (int k = 0; k < 16; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.5) / 16;
+    Vec<3> &x = domain.vertices[at(1 + 3 * 16 + k)];
+    x = {1.2 * std::cos(angle), 1.2 * std::sin(angle), x.z};
+  }
+  domain.name = "stepped shaft, turned rings";
+  expectParts(domain, 12, 4 * (2 * 6 + 8));
+}
+
+// A tooth, what is under it and what is between it and the next are quadrilateral prisms.
+TEST(MachinedParts, Gear) { expectParts(gear(8), 24, 24 * 8); }
+
+// A void without curves is cut through its middle.
+TEST(MachinedParts, BallInABox) {
+  Domain<3> domain = prism({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -2, 2);
+  const Domain<3> inner = ball(12);
+  const Index shift = toIndex(domain.vertices.size());
+  domain.vertices.insert(domain.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (Facet facet : inner.facets) {
+    for (auto &loop : facet.loops)
+      for (Index &v : loop) v += shift;
+    domain.facets.push_back(facet);
+  }
+  domain.name = "ball in a box";
+  const PipelineResult<3> r = run(domain);
+  EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
+  EXPECT_LE(r.parts.parts.size(), 8U);
+}
+
+} // namespace
+} // namespace dualblock::test
