@@ -1,10 +1,8 @@
 #include "parts/bent_cuts.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
 
 #include "base/sort.h"
 #include "parts/bent_proposals.h"
@@ -172,15 +170,16 @@ std::optional<Proposal> throughKink(const PartView &v, const Corner &kink) {
 
 /// Half way between two corners where the same sides meet.
 std::optional<Proposal> betweenCorners(const PartView &v) {
-  std::map<std::vector<Index>, const Corner *> known;
-  for (const Corner *corner : v.corners) {
-    if (corner->sides.size() < 3) continue;
-    const auto [other, isNew] = known.try_emplace({corner->sides.begin(), corner->sides.end()}, corner);
-    if (isNew) continue;
-    const Vec<3> a = v.node(other->second->node);
-    const Vec<3> b = v.node(corner->node);
-    return Proposal{planeSurface((a + b) / 2.0, b - a), {}};
-  }
+  for (std::size_t k = 0; k < v.corners.size(); ++k)
+    for (std::size_t m = 0; m < k; ++m) { // a part has few corners
+      const std::span<const Index> sides = v.corners[k]->sides;
+      if (sides.size() < 3 ||
+          !std::equal(sides.begin(), sides.end(), v.corners[m]->sides.begin(), v.corners[m]->sides.end()))
+        continue;
+      const Vec<3> a = v.node(v.corners[m]->node);
+      const Vec<3> b = v.node(v.corners[k]->node);
+      return Proposal{planeSurface((a + b) / 2.0, b - a), {}};
+    }
   return std::nullopt;
 }
 

@@ -21,29 +21,18 @@ using std::numbers::pi;
 constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
 constexpr double kAlike = pi / 18;  // angles along a run that differ by less do so by the bent side's facets
 
-/// Whether the plane already is a split surface at this ridge.
+/// Whether the plane already is a split surface at this ridge, on either side of it.
 template <int N>
-bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Plane<N> &plane,
-                  Index facetSurfaces, double tolerance) {
-  bool found = false;
-  const auto inspect = [&](Index s) {
-    for (int i = 0; i < N + 1; ++i) {
-      const Index tag = mesh.tags[at(s)][i];
-      if (tag == kNone || FaceTag::surface(tag) < facetSurfaces) continue;
-      bool inPlane = true; // a face in the plane that holds the ridge
-      for (int v = 0; v < N + 1; ++v)
-        if (v != i)
-          inPlane &= std::abs(plane.distance(mesh.nodes[at(mesh.simplices[at(s)][v])])) <= tolerance;
-      for (int v = 0; v < N + 1; ++v) {
-        if (v == ridge.from || v == ridge.to) continue;
-        const int here = mesh.localVertex(s, mesh.simplices[at(ridge.simplex)][v]);
-        inPlane &= here >= 0 && here != i;
-      }
-      found |= inPlane;
-    }
-  };
-  turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, facetSurfaces, inspect);
-  return found;
+bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const RidgeFrame<N> &frame,
+                  const Plane<N> &plane, Index facetSurfaces) {
+  constexpr double kSame = 1e-6; // radians, as nodes count as in a plane by 1e-6 of the domain's size
+  const Vec<N> along =
+      glm::dot(plane.normal, frame.outward) * frame.into - glm::dot(plane.normal, frame.into) * frame.outward;
+  for (const double sign : {1.0, -1.0}) {
+    const double direction = directionOf<N>(frame, sign * along);
+    if (isCutWithin(mesh, ridge, frame, {direction - kSame, direction + kSame}, facetSurfaces)) return true;
+  }
+  return false;
 }
 
 /// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then
@@ -198,7 +187,8 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
   if (!surface.field && curveKind(curve.angle) == CurveKind::side)
     if (const auto beyond = facetBeyond(mesh, *ridge, curve.frames[run[0]], options.facetSurfaces))
       surface.plane = *beyond;
-  if (!surface.field && isCutAlready(mesh, *ridge, surface.plane, options.facetSurfaces, options.tolerance))
+  if (!surface.field &&
+      isCutAlready(mesh, *ridge, curve.frames[run[0]], surface.plane, options.facetSurfaces))
     return false;
   if (!surface.field && snap > 0) {
     const RidgeFrame<N> &frame = curve.frames[run[0]];
