@@ -11,9 +11,10 @@ namespace {
 constexpr int kReflexRounds = 4;
 constexpr int kVertexRounds = 40;
 constexpr int kBentRounds = 80;
-constexpr double kBentShare = 0.4;       // bent cuts are dear, and those that help come early
-constexpr std::size_t kMoreParts = 3;    // times as many for a better shape, and so many more,
-constexpr std::size_t kFewMoreParts = 6; // are none
+constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help come early
+// Cuts for shape that make more than so many times the parts, and so many more, are taken back.
+constexpr std::size_t kMoreParts = 3;
+constexpr std::size_t kFewMoreParts = 6;
 
 /// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts
 /// would give more blocks than the fallback, that is cheaper and no worse.
@@ -148,8 +149,8 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   Index lastCount = mesh.simplexCount();
   for (const Curve<N> *curve : wanting) {
     if (budget.gaveUp[at(component[at(curve->part)])]) continue;
-    if (mesh.simplexCount() >
-        1.25 * lastCount) { // often enough to stop in time, seldom enough to cost nothing
+    // Often enough to stop in time, seldom enough to cost nothing.
+    if (mesh.simplexCount() > 1.25 * lastCount) {
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }

@@ -184,8 +184,8 @@ template <int N>
 void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
              const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords) {
   const CutField<N> &field = *surface.field;
-  const Index limit =
-      3 * mesh.simplexCount() + 10000; // a field that is uneven everywhere has no end of splits
+  // A field that is uneven everywhere has no end of splits.
+  const Index limit = 3 * mesh.simplexCount() + 10000;
   std::vector<double> values(mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
   for (int round = 0; round < kRounds && mesh.simplexCount() <= limit; ++round) {
     checkDeadline();
