@@ -65,6 +65,7 @@ export function makeReport(
       cutChoices: Array.from(parts.cutTrials.blocks, (blocks, k) => ({
         largestAngle: degrees(parts.cutTrials.largestAngle[k]),
         turn: degrees(parts.cutTrials.turn[k]),
+        dishes: parts.cutTrials.dishes[k] === 1,
         blocks: alternative(blocks),
         smallestSine: parts.cutTrials.worstSine[k] ?? 0,
         components: parts.cutTrials.components[k] ?? 0,

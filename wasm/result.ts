@@ -101,12 +101,13 @@ export interface RunResult {
     alternatives: Float64Array;
     /**
      * Policies of cutting that were tried, the standard one first: curves of more than `largestAngle` are cut, and planes
-     * may `turn` by as much to serve two curves (radians). `blocks` that the whole domain would get, the smallest sine of an
-     * angle in a part, and the `components` that took it.
+     * may `turn` by as much to serve two curves (radians); `dishes` is 1 where round rims get one cut each. `blocks` that the
+     * whole domain would get, the smallest sine of an angle in a part, and the `components` that took it.
      */
     cutTrials: {
       largestAngle: Float64Array;
       turn: Float64Array;
+      dishes: Int32Array;
       blocks: Float64Array;
       worstSine: Float64Array;
       components: Int32Array;

@@ -147,6 +147,17 @@ template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
   return policies;
 }
 
+/// Where no other policy serves well: a rim's two sheets may pass other rims by little, or meet in the middle.
+template <int N> std::optional<CutPolicy> lastPolicyFor(const Parts<N> &uncut) {
+  CutPolicy policy;
+  policy.dishes = true;
+  policy.largestAngle = kAngle;
+  const bool hasRims = std::any_of(uncut.curves.begin(), uncut.curves.end(), [&](const Curve<N> &curve) {
+    return !curve.open && policy.wantsCut(curve.angle);
+  });
+  return hasRims ? std::optional(policy) : std::nullopt;
+}
+
 /// Says why the first component that does without cuts does so, and what there was to choose from.
 template <int N> void explain(const Trial<N> &trial, PartChoice<N> &choice) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -175,8 +186,9 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   const std::size_t components = at(mesh.componentCount);
   Chooser<N> chooser(uncut, options, coarse, components);
   const std::vector<CutPolicy> policies = policiesFor(uncut);
+  const std::optional<CutPolicy> last = lastPolicyFor(uncut);
   const bool isCheap = policies.size() > 1 && mesh.simplexCount() <= kCheap;
-  const ReferenceMesh<N> original = isCheap ? mesh : ReferenceMesh<N>{};
+  const ReferenceMesh<N> original = isCheap || last ? mesh : ReferenceMesh<N>{};
   std::vector<Trial<N>> trials;
   trials.push_back(chooser.run(std::move(mesh), {}, 0));
   const Index standardSize = trials[0].mesh.simplexCount();
@@ -186,6 +198,16 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
     for (std::size_t p = 1; p < policies.size(); ++p)
       trials.push_back(
           chooser.run(original, std::vector<CutPolicy>(components, policies[p]), 2 * standardSize));
+  const auto isServed = [&](std::size_t c) {
+    return std::any_of(trials.begin(), trials.end(), [c](const Trial<N> &t) {
+      return t.source[c] == PartSource::cuts && t.best[c].worstSine >= kGoodSine;
+    });
+  };
+  for (std::size_t c = 0; last && c < components; ++c) {
+    if (isServed(c)) continue;
+    trials.push_back(chooser.run(original, std::vector<CutPolicy>(components, *last), 0));
+    break;
+  }
 
   std::vector<std::size_t> chosen(components, 0); // the trial of each component
   PartChoice<N> choice;
@@ -246,7 +268,9 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
     }
     proposal.choice.source = std::move(source);
   };
-  for (const CutPolicy &policy : policiesFor(uncut))
+  std::vector<CutPolicy> policies = policiesFor(uncut);
+  if (const auto last = lastPolicyFor(uncut)) policies.push_back(*last);
+  for (const CutPolicy &policy : policies)
     for (const Apex apex : kApexes) {
       const Trial<N> trial = chooser.run(mesh, std::vector<CutPolicy>(components, policy), kCheap, apex);
       for (const PartSource wanted : {PartSource::cuts, PartSource::pulled, PartSource::simplices})

@@ -154,7 +154,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }
-    cuts += cutReflexCurve<N>(mesh, *curve, wanting, parts.curves, policyOf(*curve).snap, options);
+    cuts += cutReflexCurve<N>(mesh, *curve, wanting, parts.curves, policyOf(*curve), options);
   }
 }
 

@@ -77,8 +77,7 @@ template <int N>
 std::optional<double> steadyAngle(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
                                   const std::vector<std::size_t> &run) {
   if (surfaceOf(mesh, curve, run[0], 0).bent == surfaceOf(mesh, curve, run[0], 1).bent) return std::nullopt;
-  double mean = 0;
-  for (const std::size_t k : run) mean += curve.frames[k].angle / static_cast<double>(run.size());
+  const double mean = meanAngle<N>(curve, run);
   for (const std::size_t k : run)
     if (std::abs(curve.frames[k].angle - mean) > kAlike) return std::nullopt;
   return std::abs(mean - 1.5 * pi) < kAlike ? 1.5 * pi : mean;
@@ -123,6 +122,20 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
   return surface;
 }
 
+/// One cut in the place of all sectors' planes, where a side is bent.
+std::optional<Surface<3>> dishThrough(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
+                                      const std::vector<std::size_t> &run, double tolerance) {
+  if (!surfaceOf(mesh, curve, run[0], 0).bent && !surfaceOf(mesh, curve, run[0], 1).bent) return std::nullopt;
+  const std::optional<SheetStart> start = dishFrom(mesh, curve, run, tolerance);
+  if (!start) return std::nullopt;
+  const RidgeFrame<3> &frame = curve.frames[run[0]];
+  Surface<3> surface{SurfaceKind::reflexCut, FaceTag::surface(frame.tags[0]),
+                     planeAt(mesh.nodes[at(curve.ridges[run[0]].front())], frame, start->directions[0])};
+  surface.bent = true;
+  surface.field = sheetThrough(mesh, *start, {});
+  return surface;
+}
+
 /// The plane of a facet that arrives at the ridge from behind the other two, where an assembly's regions
 /// meet, if it leaves both sectors at least 45 degrees: a cut that goes on in it needs no new direction.
 template <int N>
@@ -157,12 +170,12 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
   return found;
 }
 
-/// Cuts along one sector plane of one run. Returns whether there was something to cut.
+/// Cuts along one sector plane of one run, or the surface in the place of all of them. Returns whether there
+/// was something to cut.
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
-            std::size_t sector, std::span<const Curve<N> *const> others, std::span<const Curve<N>> curves,
-            double snap, const CutOptions &options) {
-  Surface<N> surface = surfaceThrough(mesh, curve, run, sector, curves, options.tolerance);
+            std::size_t sector, std::span<const Curve<N> *const> others, double snap, Surface<N> surface,
+            const CutOptions &options) {
   const auto find = [&](std::size_t k) {
     const auto [f, g] = curve.frames[k].tags;
     return findRidge(mesh, curve.ridges[k].front(), curve.ridges[k].back(), f, g, options.facetSurfaces);
@@ -208,18 +221,28 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
 
 template <int N>
 Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
-                     std::span<const Curve<N>> curves, double snap, const CutOptions &options) {
+                     std::span<const Curve<N>> curves, const CutPolicy &policy, const CutOptions &options) {
   Index cuts = 0;
-  const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
-  for (const auto &run : smoothRuns(mesh, curve))
+  const auto cut = [&](const auto &run, std::size_t sector, Surface<N> surface) {
+    if (cutRun(mesh, curve, run, sector, others, policy.snap, std::move(surface), options)) ++cuts;
+  };
+  for (const auto &run : smoothRuns(mesh, curve)) {
+    if constexpr (N == 3)
+      if (policy.dishes)
+        if (std::optional<Surface<3>> dish = dishThrough(mesh, curve, run, options.tolerance)) {
+          cut(run, 0, std::move(*dish));
+          continue;
+        }
+    const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
     for (std::size_t sector = 0; sector < sectors; ++sector)
-      if (cutRun(mesh, curve, run, sector, others, curves, snap, options)) ++cuts;
+      cut(run, sector, surfaceThrough(mesh, curve, run, sector, curves, options.tolerance));
+  }
   return cuts;
 }
 
 template Index cutReflexCurve(ReferenceMesh<2> &, const Curve<2> &, std::span<const Curve<2> *const>,
-                              std::span<const Curve<2>>, double, const CutOptions &);
+                              std::span<const Curve<2>>, const CutPolicy &, const CutOptions &);
 template Index cutReflexCurve(ReferenceMesh<3> &, const Curve<3> &, std::span<const Curve<3> *const>,
-                              std::span<const Curve<3>>, double, const CutOptions &);
+                              std::span<const Curve<3>>, const CutPolicy &, const CutOptions &);
 
 } // namespace dualblock

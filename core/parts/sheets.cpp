@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/sort.h"
+#include "parts/chains.h"
 
 namespace dualblock {
 namespace {
@@ -100,10 +101,22 @@ std::optional<std::vector<double>> directionsTo(const std::vector<Vec<3>> &nodes
   return directions;
 }
 
+std::vector<Heading<3>> headingsAt(const SheetStart &start, const std::vector<double> &directions) {
+  std::vector<Heading<3>> headings;
+  for (std::size_t k = 0; k < start.run.size(); ++k)
+    headings.push_back(headingAt(start.curve.frames[start.run[k]], directions[k]));
+  return headings;
+}
+
+std::vector<std::size_t> allRidges(const Curve<3> &curve) {
+  std::vector<std::size_t> all(curve.ridges.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /// Whether the curve that a sheet would end in wants a cut there itself.
 bool isWelcome(const std::vector<Vec<3>> &nodes, const SheetStart &start, const Curve<3> &target) {
-  std::vector<std::size_t> all(target.ridges.size());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::size_t> all = allRidges(target);
   for (std::size_t sector = 0; sector < sectorPlanes(curveKind(target.angle), target.angle).size();
        ++sector) {
     double distance = 0;
@@ -147,63 +160,80 @@ std::vector<Heading<3>> headingsBack(const std::vector<Vec<3>> &nodes, const She
 
 DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> run, std::size_t sector) {
   constexpr double kTurn = pi / 8;
-  double mean = 0;
-  for (const std::size_t k : run) mean += curve.frames[k].angle / static_cast<double>(run.size());
-  return rangeOfSector(curveKind(curve.angle), mean, sector, kTurn);
+  return rangeOfSector(curveKind(curve.angle), meanAngle(curve, run), sector, kTurn);
+}
+
+std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
+                                   std::span<const std::size_t> run, double tolerance) {
+  constexpr double kLeast = 0.4;  // cosine: a dish is nearly a plane
+  constexpr double kDepth = 0.5; // of the curve's radius
+  const std::vector<Chain> chains = chainsOf(curve);
+  Axis axis;
+  if (curve.open || chains.size() > 1 || run.size() < curve.ridges.size() ||
+      !axisOf(chains[0], mesh.nodes, axis))
+    return std::nullopt;
+  const auto radius = [&](Index node) { return mesh.nodes[at(node)] - axis.centre; };
+  for (const Index node : chains[0].nodes)
+    if (std::abs(glm::dot(radius(node), axis.direction)) > tolerance) return std::nullopt;
+  SheetStart start{curve, run, {}, {1, 0}, 0, kDepth * glm::length(radius(chains[0].nodes[0]))};
+  for (const std::size_t k : run) {
+    const RidgeFrame<3> &frame = curve.frames[k];
+    const Vec<3> half = headingAt(frame, frame.angle / 2).ahead;
+    const Vec<3> along = half - glm::dot(half, axis.direction) * axis.direction;
+    if (glm::length(along) < kLeast) return std::nullopt;
+    start.directions.push_back(directionOf<3>(frame, along));
+    start.slope += std::tan(frame.angle / 2 - start.directions.back()) / static_cast<double>(run.size());
+  }
+  return start;
 }
 
 std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, const SheetStart &start,
                                                 std::span<const Curve<3>> curves) {
+  Sweep<3> sweep{{}, {}, {}, std::numeric_limits<double>::infinity(), start.slope, start.depth};
   std::vector<double> directions = start.directions;
+  std::vector<Heading<3>> headings = headingsAt(start, directions);
   const Curve<3> *target = nullptr;
-  double nearest = std::numeric_limits<double>::infinity();
-  if (!start.curve.open && start.run.size() == start.curve.ridges.size()) {
-    for (const Curve<3> &curve : curves) {
-      if (curve.part != start.curve.part || curve.open || curve.sides == start.curve.sides ||
-          curve.frames.empty())
-        continue;
-      double distance = 0;
-      auto found = directionsTo(mesh.nodes, start, curve, distance);
-      if (!found || distance >= nearest || !isWelcome(mesh.nodes, start, curve)) continue;
-      nearest = distance;
-      target = &curve;
-      directions = std::move(*found);
-    }
+  std::vector<Heading<3>> back;
+  for (const Curve<3> &curve : curves) {
+    if (start.curve.open || start.run.size() < start.curve.ridges.size() ||
+        start.range.low > start.range.high)
+      break;
+    if (curve.part != start.curve.part || curve.open || curve.sides == start.curve.sides ||
+        curve.frames.empty())
+      continue;
+    double distance = 0;
+    auto found = directionsTo(mesh.nodes, start, curve, distance);
+    if (!found || distance >= sweep.reach || !isWelcome(mesh.nodes, start, curve)) continue;
+    auto there = headingsAt(start, *found);
+    auto fromThere = headingsBack(mesh.nodes, start, there, curve);
+    if (fromThere.empty()) continue;
+    sweep.reach = distance;
+    target = &curve;
+    directions = std::move(*found);
+    headings = std::move(there);
+    back = std::move(fromThere);
   }
-  std::vector<Segment<3>> segments;
-  std::vector<Heading<3>> headings;
-  std::vector<double> gaps;
-  double gap = 0;
-  for (std::size_t k = 0; k < start.run.size(); ++k) {
-    const RidgeFrame<3> &frame = start.curve.frames[start.run[k]];
-    headings.push_back(headingAt(frame, directions[k]));
-    gap += gapAt(frame, directions[k]) / static_cast<double>(start.run.size());
-  }
-  const auto add = [&](const auto &ridges, std::span<const std::size_t> run) {
+  const auto add = [&](const Curve<3> &curve, std::span<const std::size_t> run,
+                       const std::vector<Heading<3>> &ofRidges) {
     for (const std::size_t k : run)
-      segments.push_back({mesh.nodes[at(ridges[k][0])], mesh.nodes[at(ridges[k][1])]});
+      sweep.segments.push_back({mesh.nodes[at(curve.ridges[k][0])], mesh.nodes[at(curve.ridges[k][1])]});
+    const auto smooth = smoothHeadings(curve, run, ofRidges);
+    sweep.headings.insert(sweep.headings.end(), smooth.begin(), smooth.end());
   };
-  add(start.curve.ridges, start.run);
-  gaps.assign(start.run.size(), gap);
-  auto smooth = smoothHeadings(start.curve, start.run, headings);
-  if (target) {
-    const std::vector<Heading<3>> back = headingsBack(mesh.nodes, start, headings, *target);
-    if (!back.empty()) {
-      std::vector<std::size_t> all(target->ridges.size());
-      std::iota(all.begin(), all.end(), 0);
-      add(target->ridges, all);
-      const auto more = smoothHeadings(*target, all, back);
-      smooth.insert(smooth.end(), more.begin(), more.end());
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        const RidgeFrame<3> &frame = target->frames[k];
-        const double direction = directionOf<3>(frame, back[k].ahead);
-        const double own = gapAt(frame, direction);
-        const bool isTurned = glm::dot(headingAt(frame, direction).normal, back[k].normal) < 0;
-        gaps.push_back(isTurned ? 2 * pi - own : own);
-      }
-    }
+  add(start.curve, start.run, headings);
+  double gap = 0;
+  for (std::size_t k = 0; k < start.run.size(); ++k)
+    gap += gapAt(start.curve.frames[start.run[k]], directions[k]) / static_cast<double>(start.run.size());
+  sweep.gaps.assign(start.run.size(), gap);
+  if (target) add(*target, allRidges(*target), back);
+  for (std::size_t k = 0; k < back.size(); ++k) {
+    const RidgeFrame<3> &frame = target->frames[k];
+    const double direction = directionOf<3>(frame, back[k].ahead);
+    const double own = gapAt(frame, direction);
+    const bool isTurned = glm::dot(headingAt(frame, direction).normal, back[k].normal) < 0;
+    sweep.gaps.push_back(isTurned ? 2 * pi - own : own);
   }
-  return std::make_shared<SweptField<3>>(std::move(segments), std::move(smooth), std::move(gaps), nearest);
+  return std::make_shared<SweptField<3>>(std::move(sweep));
 }
 
 } // namespace dualblock

@@ -1,6 +1,8 @@
 // Sheets: cuts through curves that no plane holds (ARCHITECTURE.md 3, rule 1). Internal to parts/.
 #pragma once
 
+#include <limits>
+
 #include "parts/sectors.h"
 
 namespace dualblock {
@@ -11,7 +13,21 @@ struct SheetStart {
   std::span<const std::size_t> run; // of the curve's ridges
   std::vector<double> directions;   // per ridge of the run: from the curve's first side
   DirectionRange range;             // how far the directions may turn so that the sheet ends in another curve
+  double slope = 0;                 // Sweep
+  double depth = 1;
 };
+
+/// The mean of the angles along a run.
+template <int N> double meanAngle(const Curve<N> &curve, std::span<const std::size_t> run) {
+  double mean = 0;
+  for (const std::size_t k : run) mean += curve.frames[k].angle / static_cast<double>(run.size());
+  return mean;
+}
+
+/// A dish: through a closed curve in a plane it leaves half way between the curve's sides and soon runs along
+/// the plane, so that the dishes of several rims keep apart. Nothing where the curve is none such.
+std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
+                                   std::span<const std::size_t> run, double tolerance);
 
 /// How far a sheet in the place of a sector's plane may turn.
 DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> run, std::size_t sector);

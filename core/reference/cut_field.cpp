@@ -60,19 +60,22 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
   constexpr double kAhead = 0.01;
   double sum = 0;
   double weights = 0;
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const auto &[from, to] = segments_[k];
-    const auto &[first, last] = headings_[k];
-    const double t = nearestOn<N>(segments_[k], x);
+  for (std::size_t k = 0; k < sweep_.segments.size(); ++k) {
+    const auto &[from, to] = sweep_.segments[k];
+    const auto &[first, last] = sweep_.headings[k];
+    const double t = nearestOn<N>(sweep_.segments[k], x);
     const Vec<N> away = x - glm::mix(from, to, t);
     const double u = glm::dot(away, glm::mix(first.ahead, last.ahead, t));
     double v = glm::dot(away, glm::mix(first.normal, last.normal, t));
-    const double within = std::clamp(u, 0.0, reach_);
+    const double within = std::clamp(u, 0.0, sweep_.reach);
     const double square = glm::dot(away, away) - (1 - kAhead) * within * within;
     if (u < 0) { // behind the chain each side goes on as far as the middle of what is outside
       const double angle = std::atan2(v, u);
-      const bool isFront = angle > 0 ? angle < gaps_[k] : angle < gaps_[k] - 2 * std::numbers::pi;
+      const double gap = sweep_.gaps[k];
+      const bool isFront = angle > 0 ? angle < gap : angle < gap - 2 * std::numbers::pi;
       v = (isFront ? 1 : -1) * std::sqrt(u * u + v * v);
+    } else {
+      v += sweep_.slope * u / (1 + u / sweep_.depth);
     }
     if (!(square > 0)) return v;
     const double weight = 1 / (square * square * square * square);
@@ -83,7 +86,7 @@ template <int N> double SweptField<N>::value(const Vec<N> &x) const {
 }
 
 template <int N> bool SweptField<N>::isAnchor(const Vec<N> &x, double tolerance) const {
-  return distanceTo<N>(segments_, x) <= tolerance;
+  return distanceTo<N>(sweep_.segments, x) <= tolerance;
 }
 
 template <int N> double MiddleField<N>::value(const Vec<N> &x) const {

@@ -32,22 +32,24 @@ template <int N> struct Heading { Vec<N> ahead, normal; };
 /// A sheet that leaves a chain ahead, into the domain: the extension of a bent side beyond a curve. It ends
 /// at the chain. Between the ends of a segment the heading turns from the one to the other, so that the sheet
 /// has no steps.
+template <int N> struct Sweep {
+  std::vector<Segment<N>> segments;
+  std::vector<std::array<Heading<N>, 2>> headings; // per segment: at both ends
+  std::vector<double> gaps; // per segment: the angle, from ahead towards the normal and below 2 pi, at which
+                            // the outside begins to be the other side's
+  double reach;             // how far ahead it goes
+  double slope = 0;         // with which it sinks below its headings at the chain, away from the normal,
+  double depth = 1;         // to this times the slope far ahead
+};
+
 template <int N> class SweptField final : public CutField<N> {
 public:
-  /// Per segment: its headings at both ends; the angle, from ahead towards the normal and below 2 pi, at
-  /// which the outside begins to be the other side's. `reach`: how far ahead it goes.
-  SweptField(std::vector<Segment<N>> segments, std::vector<std::array<Heading<N>, 2>> headings,
-             std::vector<double> gaps, double reach)
-      : segments_(std::move(segments)), headings_(std::move(headings)), gaps_(std::move(gaps)),
-        reach_(reach) {}
+  explicit SweptField(Sweep<N> sweep) : sweep_(std::move(sweep)) {}
   double value(const Vec<N> &x) const override;
   bool isAnchor(const Vec<N> &x, double tolerance) const override;
 
 private:
-  std::vector<Segment<N>> segments_;
-  std::vector<std::array<Heading<N>, 2>> headings_;
-  std::vector<double> gaps_;
-  double reach_;
+  Sweep<N> sweep_;
 };
 
 /// The distance to one chain less that to another: its zero set runs between the two.

@@ -4,14 +4,20 @@
 #include <numbers>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace dualblock {
 
-void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle) {
-  const double angle = featureAngle < 0 ? kSmoothAngle : featureAngle;
-  const double leastCosine = std::cos(angle * std::numbers::pi / 180);
-  mesh.smoothCosine = leastCosine;
-  DisjointSets sets(mesh.surfaces.size());
+namespace {
+
+/// A facet beside another one.
+struct Beside {
+  Index facet, other;
+  Vec<3> normal, ofOther;
+};
+
+/// Where two facets meet that have the domain on the same sides, seen from each of them.
+template <typename Visit> void visitRidges(const ReferenceMesh<3> &mesh, Visit visit) {
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
       const Index tag = mesh.tags[at(s)][i];
@@ -20,13 +26,61 @@ void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle) {
         if (k == i) continue;
         const FaceRef<3> mate = turnAroundRidge(mesh, s, i, k, kCrossNone, [](Index) {});
         const Index other = mesh.tags[at(mate.simplex)][mate.face];
-        if (FaceTag::surface(tag) >= FaceTag::surface(other) || (tag & 1) != (other & 1)) continue;
-        if (glm::dot(mesh.outwardNormal(s, i), mesh.outwardNormal(mate.simplex, mate.face)) > leastCosine)
-          sets.unite(FaceTag::surface(tag), FaceTag::surface(other));
+        if (FaceTag::surface(tag) == FaceTag::surface(other) || (tag & 1) != (other & 1)) continue;
+        visit(Beside{FaceTag::surface(tag), FaceTag::surface(other), mesh.outwardNormal(s, i),
+                     mesh.outwardNormal(mate.simplex, mate.face)});
       }
     }
-  std::vector<Index> sizes(mesh.surfaces.size(), 0);
-  for (Index f = 0; f < toIndex(sizes.size()); ++f) ++sizes[at(sets.find(f))];
+}
+
+std::vector<Index> sizesOf(DisjointSets &sets, std::size_t count) {
+  std::vector<Index> sizes(count, 0);
+  for (Index f = 0; f < toIndex(count); ++f) ++sizes[at(sets.find(f))];
+  return sizes;
+}
+
+/// Slivers of a coarse tessellation stand askew: a triangle that is smooth with none of its three neighbours,
+/// which are with one another, belongs to the bent side that they are of.
+void joinMisfits(const ReferenceMesh<3> &mesh, DisjointSets &sets, const std::vector<Index> &sizes,
+                 double leastCosine) {
+  std::vector<Beside> besides;
+  const auto size = [&](Index facet) { return sizes[at(sets.find(facet))]; };
+  visitRidges(mesh, [&](const Beside &b) {
+    if (size(b.facet) == 1) besides.push_back(b);
+  });
+  sortItems(besides, [](const Beside &a, const Beside &b) {
+    return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
+  });
+  const auto isSame = [](const Beside &a, const Beside &b) {
+    return a.facet == b.facet && a.other == b.other;
+  };
+  besides.erase(std::unique(besides.begin(), besides.end(), isSame), besides.end());
+  const auto isAlike = [&](const Beside &a, const Beside &b) {
+    return size(a.other) >= kSmoothFacets && glm::dot(a.ofOther, b.ofOther) > leastCosine;
+  };
+  for (std::size_t k = 0, next = 0; k < besides.size(); k = next) {
+    while (next < besides.size() && besides[next].facet == besides[k].facet) ++next;
+    if (next == k + 3 && isAlike(besides[k], besides[k + 1]) && isAlike(besides[k + 1], besides[k + 2]) &&
+        isAlike(besides[k + 2], besides[k]))
+      sets.unite(besides[k].facet, besides[k].other);
+  }
+}
+
+} // namespace
+
+void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle) {
+  const double angle = featureAngle < 0 ? kSmoothAngle : featureAngle;
+  const double leastCosine = std::cos(angle * std::numbers::pi / 180);
+  mesh.smoothCosine = leastCosine;
+  DisjointSets sets(mesh.surfaces.size());
+  visitRidges(mesh, [&](const Beside &b) {
+    if (b.facet < b.other && glm::dot(b.normal, b.ofOther) > leastCosine) sets.unite(b.facet, b.other);
+  });
+  std::vector<Index> sizes = sizesOf(sets, mesh.surfaces.size());
+  if (featureAngle < 0 && *std::max_element(sizes.begin(), sizes.end()) >= kSmoothFacets) {
+    joinMisfits(mesh, sets, sizes, leastCosine);
+    sizes = sizesOf(sets, mesh.surfaces.size());
+  }
   for (Index f = 0; f < toIndex(sizes.size()); ++f) {
     const Index size = sizes[at(sets.find(f))];
     if (size < 2 || (featureAngle < 0 && size < kSmoothFacets)) continue;

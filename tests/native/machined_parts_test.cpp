@@ -96,12 +96,65 @@ TEST(MachinedParts, WallsOfManyFacets) {
   expectParts(domain, 12, 4 * (2 * 6 + 8));
 }
 
+// Its rims' extensions would meet the axis and each other by little. A dish through each rim leaves slabs of
+// a shaft instead, in quarters around the axis: eight blocks for five sides around, six for four.
+TEST(MachinedParts, LatheOfSlantedRims) {
+  Domain<3> lathe = revolved({{0, 0},
+                              {1.295, 0},
+                              {1.507, 1.437},
+                              {0.959, 1.437},
+                              {1.481, 2.874},
+                              {0.963, 2.874},
+                              {1.089, 3.546},
+                              {0.66, 3.546},
+                              {1.319, 4.253},
+                              {0, 4.253}},
+                             16);
+  lathe.name = "lathe of slanted rims";
+  expectParts(lathe, 16, 4 * (3 * 8 + 6));
+}
+
+TEST(MachinedParts, Dumbbell) {
+  std::vector<Vec<2>> profile;
+  const auto add = [&](double centre, double from, double to) {
+    for (int k = 0; k <= 8; ++k) {
+      const double angle = from + (to - from) * k / 8;
+      profile.emplace_back(std::cos(angle), centre + std::sin(angle));
+    }
+  };
+  const double rim = std::acos(0.4);
+  add(0, -std::numbers::pi / 2, rim);
+  add(4, -rim, std::numbers::pi / 2);
+  Domain<3> dumbbell = revolved(profile, 16);
+  dumbbell.name = "dumbbell";
+  const PipelineResult<3> r = run(dumbbell);
+  EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
+  EXPECT_LE(r.primal.blocks.size(), 216U);
+}
+
 // By hand it takes a tooth, what is under it and what is between it and the next: 24 blocks for each.
 TEST(MachinedParts, Gear) {
   const PipelineResult<3> r = run(gear(8));
   EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
   EXPECT_EQ(r.fallbackComponents, 0) << r.fallbackReason;
   EXPECT_LE(r.primal.blocks.size(), 8 * 40U);
+}
+
+// Coarse tessellations have slivers that stand askew: they are no sides of their own.
+TEST(MachinedParts, BallWithASliver) {
+  Domain<3> domain = ball(16);
+  Facet &facet = domain.facets[at(toIndex(domain.facets.size()) / 2)];
+  const auto [a, b, c] = std::array{facet.loops[0][0], facet.loops[0][1], facet.loops[0][2]};
+  const Vec<3> middle = (domain.vertices[at(a)] + domain.vertices[at(b)]) / 2.0;
+  const Vec<3> across = glm::normalize(domain.vertices[at(c)] - middle);
+  const Index m = toIndex(domain.vertices.size());
+  domain.vertices.push_back(middle + 0.005 * (0.5 * across + 0.9 * glm::normalize(middle)));
+  facet.loops = {{a, b, m}};
+  domain.facets.push_back({{{b, c, m}}});
+  domain.facets.push_back({{{c, a, m}}});
+  domain.name = "ball with a sliver";
+  expectParts(domain, 8, 32);
 }
 
 // A void without curves is cut through its middle.
