@@ -342,19 +342,25 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const CutOptions cutOptions{options.tolerance * r.mesh.size + 2 * r.domain.deviation,
                               toIndex(domain.facets.size())};
   const bool wantsShape = options.objective == Objective::shape;
-  const ReferenceMesh<N> uncut = wantsShape ? r.mesh : ReferenceMesh<N>{};
-  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
-  std::vector<PartProposal<N>> proposals;
-  if (wantsShape) proposals = proposeParts<N>(uncut, r.features, cutOptions, needCoarse, choice.score);
   for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
+  const ReferenceMesh<N> uncut = wantsShape || r.bentSides > 0 ? r.mesh : ReferenceMesh<N>{};
+  const Parts<N> uncutParts = r.features;
+  PartChoice<N> choice = chooseParts<N>(r.mesh, uncutParts, cutOptions, needCoarse);
+  std::vector<PartProposal<N>> proposals;
+  const auto propose = [&, score = choice.score](Proposals which) {
+    proposals = proposeParts<N>(uncut, uncutParts, cutOptions, needCoarse, score, which);
+  };
+  if (wantsShape) propose(Proposals::all);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
   r.alternatives = choice.alternatives;
   r.cutTrials = std::move(choice.trials);
-  const PipelineResult<N> common = proposals.empty() ? PipelineResult<N>{} : r;
+  const PipelineResult<N> common = proposals.empty() && r.bentSides == 0 ? PipelineResult<N>{} : r;
   if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
+  if (r.bentSides > 0 && !wantsShape && r.fallbackComponents + r.pulledComponents > 0)
+    propose(Proposals::last);
   takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   const ModeOptions &mode = options.mode;
   if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {

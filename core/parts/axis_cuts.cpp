@@ -113,4 +113,38 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
   return list;
 }
 
+Plane<3> plainPlane(const PartView &v, const Plane<3> &plane) {
+  constexpr double kSame = 1 - 2e-8; // cosine of 2e-4
+  constexpr double kNear = 1e-4;     // of the domain's size
+  const double reach = kOnAxis * v.mesh.size;
+  std::optional<Plane<3>> plain;
+  const auto offer = [&](const Vec<3> &point, const Vec<3> &across) {
+    if (plain || !(glm::length(across) > 1e-3)) return;
+    const double cosine = glm::dot(glm::normalize(across), plane.normal);
+    if (std::abs(cosine) > kSame && std::abs(plane.distance(point)) <= kNear * v.mesh.size)
+      plain = planeThrough(point, cosine < 0 ? -across : across);
+  };
+  for (const Axis &a : v.axes)
+    for (const Axis &b : v.axes) {
+      const Vec<3> beside = b.centre - a.centre;
+      const Vec<3> both = glm::cross(a.direction, b.direction);
+      const double sine = glm::length(both);
+      if (sine <= kOnAxis) {
+        offer(a.centre, glm::cross(a.direction, beside) / v.mesh.size);
+      } else if (std::abs(glm::dot(beside, both)) <= reach * sine) {
+        const Vec<3> meet =
+            a.centre + glm::dot(glm::cross(beside, b.direction), both) / (sine * sine) * a.direction;
+        for (const Vec<3> &normal : {both, a.direction + b.direction, a.direction - b.direction, a.direction})
+          offer(meet, normal);
+      }
+    }
+  for (const Axis &a : v.axes)
+    for (int k = 0; k < 3; ++k) {
+      Vec<3> unit{0.0};
+      unit[k] = 1;
+      offer(a.centre, glm::cross(a.direction, unit));
+    }
+  return plain.value_or(plane);
+}
+
 } // namespace dualblock

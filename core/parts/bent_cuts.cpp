@@ -11,10 +11,7 @@
 namespace dualblock {
 namespace {
 
-/// A side may turn away from its mean normal by this much; a half cylinder does by 90 degrees.
-const double kLeastCosine = std::cos(70 * std::numbers::pi / 180);
-constexpr double kAlike = 1e-6;     // of the domain's size: mirror images
-constexpr double kNearMiddle = 0.8; // cosine: corners that are this near to the middle attract a cut
+constexpr double kAlike = 1e-6; // of the domain's size: mirror images
 
 /// No curve at all: through the middle, across the direction in which the part extends least; of directions
 /// that are as good the coordinate axes, z first, go before.
@@ -183,84 +180,13 @@ std::optional<Proposal> betweenCorners(const PartView &v) {
   return std::nullopt;
 }
 
-bool turnsTooFar(const PartView &v, Index side) {
-  Vec<3> sum{0.0};
-  double total = 0;
-  std::vector<std::pair<Vec<3>, double>> normals;
-  for (const FaceRef<3> *f = v.parts.sideFaces.begin(side); f != v.parts.sideFaces.end(side); ++f) {
-    const auto face = v.mesh.sortedFace(f->simplex, f->face);
-    const Vec<3> area = glm::cross(v.node(face[1]) - v.node(face[0]), v.node(face[2]) - v.node(face[0]));
-    const Vec<3> normal = v.mesh.outwardNormal(f->simplex, f->face);
-    sum += glm::length(area) * normal;
-    total += glm::length(area);
-    normals.emplace_back(normal, glm::length(area));
-  }
-  if (glm::length(sum) == 0) return true;
-  const Vec<3> mean = glm::normalize(sum);
-  double beyond = 0; // by area: normals of slivers mean nothing
-  for (const auto &[normal, area] : normals) beyond += glm::dot(normal, mean) < kLeastCosine ? area : 0;
-  return beyond > 0.02 * total;
-}
-
-/// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
-/// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the
-/// plane runs from one to the other.
-std::optional<Proposal> acrossArc(const PartView &v, Index side) {
-  struct Arc {
-    double turn;
-    Chain chain;
-    Axis axis;
-  };
-  std::vector<Arc> arcs;
-  std::vector<Axis> others; // of arcs of any side
-  for (const Curve<3> *curve : v.curves) {
-    const bool isOfSide = curve->sides[0] == side || curve->sides[1] == side;
-    for (Chain &chain : chainsOf(*curve)) {
-      Axis axis;
-      if (chain.closed || !axisOf(chain, v.mesh.nodes, v.axes, axis)) continue;
-      others.push_back(axis);
-      if (!isOfSide) continue;
-      const Vec<3> a = glm::normalize(v.node(chain.nodes.front()) - axis.centre);
-      const Vec<3> b = glm::normalize(v.node(chain.nodes.back()) - axis.centre);
-      const Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
-      // Half the angle between the ends, or 180 degrees less that, as the middle lies between or beyond them.
-      const double half = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2;
-      arcs.push_back({glm::dot(a + b, middle) >= 0 ? half : std::numbers::pi - half, std::move(chain), axis});
-    }
-  }
-  sortItems(arcs, [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
-  if (arcs.empty()) return std::nullopt;
-  const Chain &chain = arcs[0].chain;
-  Axis axis = arcs[0].axis;
-  if (arcs.size() > 1 && arcs[1].turn > 0.9 * arcs[0].turn) {
-    const Vec<3> along = arcs[1].axis.centre - axis.centre;
-    if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along))
-      axis.direction = glm::normalize(along);
-  }
-  Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
-  const Vec<3> across = v.node(chain.nodes.back()) - v.node(chain.nodes.front());
-  if (glm::length(across) > 0) middle -= glm::dot(middle, across) / glm::dot(across, across) * across;
-  const auto flat = [&](const Vec<3> &x) { return x - glm::dot(x, axis.direction) * axis.direction; };
-  middle = glm::normalize(flat(middle));
-  Vec<3> towards = middle;
-  double nearest = kNearMiddle;
-  const auto attract = [&](const Vec<3> &x) {
-    const Vec<3> d = flat(x - axis.centre);
-    if (glm::length(d) <= kOnAxis * v.mesh.size) return;
-    const double cosine = glm::dot(glm::normalize(d), middle);
-    if (cosine <= nearest) return;
-    nearest = cosine;
-    towards = glm::normalize(d);
-  };
-  for (const Axis &other : others)
-    if (glm::length(glm::cross(other.direction, axis.direction)) <= kOnAxis) attract(other.centre);
-  if (towards == middle)
-    for (const Corner *corner : v.corners) // others are where a bent cut happens to end
-      if (std::count_if(corner->sides.begin(), corner->sides.end(),
-                        [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
-        attract(v.node(corner->node));
-  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
-                  halfOf(v, chain, axis, towards)};
+/// What would leave its bent sides smooth.
+std::vector<Proposal> smoothing(const PartView &v) {
+  std::vector<Proposal> list;
+  for (const Index *side = v.parts.partSides.begin(v.part); side != v.parts.partSides.end(v.part); ++side)
+    if (v.isGiven(*side) && v.isBent(*side))
+      if (std::optional<Proposal> proposal = throughCrease(v, *side)) list.push_back(std::move(*proposal));
+  return list;
 }
 
 /// What would make a part simple.
@@ -303,15 +229,6 @@ std::vector<Proposal> simplifying(const PartView &v) {
   return list;
 }
 
-/// What would make a part's shape better.
-std::vector<Proposal> shaping(const PartView &v) {
-  std::vector<Proposal> list;
-  for (const Index *side = v.parts.partSides.begin(v.part); side != v.parts.partSides.end(v.part); ++side)
-    if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side))
-      if (std::optional<Proposal> proposal = acrossArc(v, *side)) list.push_back(std::move(*proposal));
-  return list;
-}
-
 /// The part's simplices, with those that have been split off them since the part was found.
 std::vector<Index> simplicesOf(const ReferenceMesh<3> &mesh, const PartView &v) {
   const auto &partOf = v.parts.partOfSimplex;
@@ -346,10 +263,11 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
     }
     return seeds;
   };
-  if (proposal.surface.field) resolve<3>(mesh, proposal.surface, seedsNow, options.tolerance, false);
+  if (proposal.surface.field) resolve<3>(mesh, proposal.surface, seedsNow, options.tolerance, 0);
   const std::vector<CutSeed<3>> seeds = seedsNow();
   const Index surface = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back(proposal.surface);
+  if (!proposal.surface.field) mesh.surfaces.back().plane = plainPlane(v, proposal.surface.plane);
   if (cutAlong<3>(mesh, surface, seeds, options.tolerance) > 0) return true;
   mesh.surfaces.pop_back();
   return false;
@@ -358,9 +276,11 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 } // namespace
 
 bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
-                 const CutOptions &options, const std::vector<bool> &gaveUp) {
+                 const CutOptions &options, std::span<const CutPolicy> policies,
+                 const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
-  for (const auto propose : {simplifying, shaping}) { // all parts are simple before any is bettered
+  for (const auto propose :
+       {smoothing, simplifying, shaping}) { // all parts are simple before any is bettered
     PartView v{mesh, parts, 0, {}, {}, axes};
     std::size_t curve = 0;
     std::size_t corner = 0;
@@ -372,6 +292,7 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vecto
       for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
         v.corners.push_back(&parts.corners[corner]);
       if (gaveUp[at(component[at(v.part)])]) continue;
+      v.cutsArcs = !policies.empty() && policies[at(component[at(v.part)])].arcs;
       for (const Proposal &proposal : propose(v))
         if (carryOut(mesh, v, proposal, options)) return true;
     }

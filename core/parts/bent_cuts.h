@@ -9,8 +9,9 @@ namespace dualblock {
 
 /// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more
 /// than 140 degrees, and cuts it. `axes`: those of the domain's curves. Components that gave up are passed
-/// over. Returns whether a cut was made.
+/// over. `policies`: per component, or empty for the standard one. Returns whether a cut was made.
 bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
-                 const CutOptions &options, const std::vector<bool> &gaveUp);
+                 const CutOptions &options, std::span<const CutPolicy> policies,
+                 const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

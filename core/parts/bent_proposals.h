@@ -1,6 +1,8 @@
 // What bent cuts are proposed from, and how they are. Internal to parts/.
 #pragma once
 
+#include <optional>
+
 #include "parts/chains.h"
 #include "reference/cut.h"
 
@@ -26,6 +28,7 @@ struct PartView {
   std::vector<const Curve<3> *> curves;
   std::vector<const Corner *> corners;
   const std::vector<Axis> &axes; // of the domain's own curves
+  bool cutsArcs = false;         // CutPolicy
 
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
   /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
@@ -60,6 +63,17 @@ struct Turns {
 /// corners of the part, then nodes of the curve, then how near they are to a coordinate plane. Where all
 /// corners are on one side of the axis, the half plane there is enough.
 std::vector<Proposal> alongAxis(const PartView &part, const Loop &loop, const Turns &turns);
+
+/// Along the longest reflex crease inside a bent side that lies in a plane: one that fades out, as where two
+/// pipes of one width meet, is no curve of the part.
+std::optional<Proposal> throughCrease(const PartView &part, Index side);
+
+/// What would make a part's shape better: planes across sides that turn too far.
+std::vector<Proposal> shaping(const PartView &part);
+
+/// Where a plane nearly holds or halves axes of the domain, or is square to one where another meets it, the
+/// one that does: nodes near which surfaces touch are inexact, and planes by them would leave slivers.
+Plane<3> plainPlane(const PartView &part, const Plane<3> &plane);
 
 inline constexpr double kOnAxis = 1e-6; // of the domain's size: nearer than this is on the axis
 

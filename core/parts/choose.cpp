@@ -147,15 +147,15 @@ template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
   return policies;
 }
 
-/// Where no other policy serves well: a rim's two sheets may pass other rims by little, or meet in the middle.
-template <int N> std::optional<CutPolicy> lastPolicyFor(const Parts<N> &uncut) {
+/// Where no other policy serves well: a rim's two sheets may pass other rims by little, or meet in the
+/// middle, and what a side is hollow around is not seen from the middle of its part.
+template <int N> std::optional<CutPolicy> lastPolicyFor(const ReferenceMesh<N> &mesh) {
   CutPolicy policy;
-  policy.dishes = true;
+  policy.arcs = policy.dishes = true;
   policy.largestAngle = kAngle;
-  const bool hasRims = std::any_of(uncut.curves.begin(), uncut.curves.end(), [&](const Curve<N> &curve) {
-    return !curve.open && policy.wantsCut(curve.angle);
-  });
-  return hasRims ? std::optional(policy) : std::nullopt;
+  const bool isBent =
+      std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<N> &s) { return s.bent; });
+  return isBent ? std::optional(policy) : std::nullopt;
 }
 
 /// Says why the first component that does without cuts does so, and what there was to choose from.
@@ -186,7 +186,7 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   const std::size_t components = at(mesh.componentCount);
   Chooser<N> chooser(uncut, options, coarse, components);
   const std::vector<CutPolicy> policies = policiesFor(uncut);
-  const std::optional<CutPolicy> last = lastPolicyFor(uncut);
+  const std::optional<CutPolicy> last = lastPolicyFor(mesh);
   const bool isCheap = policies.size() > 1 && mesh.simplexCount() <= kCheap;
   const ReferenceMesh<N> original = isCheap || last ? mesh : ReferenceMesh<N>{};
   std::vector<Trial<N>> trials;
@@ -238,9 +238,10 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
 template <int N>
 std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut,
                                           const CutOptions &options, const CoarseMesh<N> &coarse,
-                                          const Score &chosen) {
+                                          const Score &chosen, Proposals which) {
   std::vector<PartProposal<N>> proposals;
-  if (mesh.simplexCount() > kCheap) return proposals;
+  const bool isLast = which == Proposals::last;
+  if (!isLast && mesh.simplexCount() > kCheap) return proposals;
   const std::size_t components = at(mesh.componentCount);
   Chooser<N> chooser(uncut, options, coarse, components);
   const auto propose = [&](const Trial<N> &trial, PartSource wanted) {
@@ -268,14 +269,16 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
     }
     proposal.choice.source = std::move(source);
   };
-  std::vector<CutPolicy> policies = policiesFor(uncut);
-  if (const auto last = lastPolicyFor(uncut)) policies.push_back(*last);
+  std::vector<CutPolicy> policies;
+  if (!isLast) policies = policiesFor(uncut);
+  if (const auto last = lastPolicyFor(mesh)) policies.push_back(*last);
   for (const CutPolicy &policy : policies)
     for (const Apex apex : kApexes) {
-      const Trial<N> trial = chooser.run(mesh, std::vector<CutPolicy>(components, policy), kCheap, apex);
+      const Trial<N> trial =
+          chooser.run(mesh, std::vector<CutPolicy>(components, policy), isLast ? 0 : kCheap, apex);
       for (const PartSource wanted : {PartSource::cuts, PartSource::pulled, PartSource::simplices})
         propose(trial, wanted);
-      if (!trial.decomposition.pulled) break; // there is nothing that could have a centre
+      if (isLast || !trial.decomposition.pulled) break; // there is nothing that could have a centre
     }
   return proposals;
 }
@@ -285,8 +288,10 @@ template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const C
 template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
                                    const CoarseMesh<3> &);
 template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
-                                                   const CutOptions &, const CoarseMesh<2> &, const Score &);
+                                                   const CutOptions &, const CoarseMesh<2> &, const Score &,
+                                                   Proposals);
 template std::vector<PartProposal<3>> proposeParts(const ReferenceMesh<3> &, const Parts<3> &,
-                                                   const CutOptions &, const CoarseMesh<3> &, const Score &);
+                                                   const CutOptions &, const CoarseMesh<3> &, const Score &,
+                                                   Proposals);
 
 } // namespace dualblock

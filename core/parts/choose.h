@@ -45,6 +45,8 @@ template <int N>
 PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
                           const CoarseMesh<N> &coarse);
 
+enum class Proposals : std::uint8_t { all, last };
+
 /// A mesh that has been cut, and the choice of parts that goes with it.
 template <int N> struct PartProposal {
   ReferenceMesh<N> mesh;
@@ -53,11 +55,12 @@ template <int N> struct PartProposal {
 
 /// What the parts could be other than `chosen`, whatever the number of blocks: by each policy the cut parts,
 /// simplices in place of those that are not simple, from every apex, and the reference
-/// simplices. Nothing where that would not be cheap to try.
+/// simplices; nothing where that would not be cheap to try. Or, for parts that have been refused, only those
+/// of the last policy, which needs more simplices.
 template <int N>
 std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut,
                                           const CutOptions &options, const CoarseMesh<N> &coarse,
-                                          const Score &chosen);
+                                          const Score &chosen, Proposals which);
 
 extern template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
                                           const CoarseMesh<2> &);
@@ -65,9 +68,9 @@ extern template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, 
                                           const CoarseMesh<3> &);
 extern template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
                                                           const CutOptions &, const CoarseMesh<2> &,
-                                                          const Score &);
+                                                          const Score &, Proposals);
 extern template std::vector<PartProposal<3>> proposeParts(const ReferenceMesh<3> &, const Parts<3> &,
                                                           const CutOptions &, const CoarseMesh<3> &,
-                                                          const Score &);
+                                                          const Score &, Proposals);
 
 } // namespace dualblock

@@ -89,7 +89,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   for (int round = 0; round < kBentRounds; ++round) {
     ReferenceMesh<3> before = mesh;
     const bool areSimple = std::find(simple.begin(), simple.end(), false) == simple.end();
-    if (!cutBentPart(mesh, result.parts, axes, options, isDone)) break;
+    if (!cutBentPart(mesh, result.parts, axes, options, options.policies, isDone)) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
     bool isWorse = false;

@@ -18,8 +18,11 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSamePlane = 1e-7; // radians between directions that count as the same
-constexpr double kAlike = pi / 18;  // angles along a run that differ by less do so by the bent side's facets
+constexpr double kSamePlane = 1e-7;   // radians between directions that count as the same
+constexpr double kNearPlane = 0.1;    // and that nearly do
+constexpr double kSheetSagitta = 0.2; // resolve: sheets may cross at any angle; dishes are crossed steeply,
+constexpr double kDishSagitta = 0.05; // where a fold would be crossed twice
+constexpr double kAlike = pi / 18; // angles along a run that differ by less do so by the bent side's facets
 
 /// Whether the plane already is a split surface at this ridge, on either side of it.
 template <int N>
@@ -114,6 +117,13 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
     for (const std::size_t k : run)
       for (const Index node : curve.ridges[k])
         surface.bent |= std::abs(surface.plane.distance(mesh.nodes[at(node)])) > tolerance;
+    // Facets of a bent side tilt: a plane would shave off what is between it and them.
+    for (const std::size_t k : run)
+      for (std::size_t side = 0; side < 2; ++side) {
+        const Surface<N> &facet = surfaceOf(mesh, curve, k, side);
+        const double turn = glm::length(glm::cross(facet.plane.normal, surface.plane.normal));
+        surface.bent |= facet.bent && turn > kSamePlane && turn < kNearPlane;
+      }
     if (!surface.bent) return surface;
     SheetStart start{curve, run, {}, rangeOfSheet(curve, run, sector)};
     for (const std::size_t k : run) start.directions.push_back(direction(k));
@@ -124,9 +134,9 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
 
 /// One cut in the place of all sectors' planes, where a side is bent.
 std::optional<Surface<3>> dishThrough(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
-                                      const std::vector<std::size_t> &run, double tolerance) {
+                                      const std::vector<std::size_t> &run) {
   if (!surfaceOf(mesh, curve, run[0], 0).bent && !surfaceOf(mesh, curve, run[0], 1).bent) return std::nullopt;
-  const std::optional<SheetStart> start = dishFrom(mesh, curve, run, tolerance);
+  const std::optional<SheetStart> start = dishFrom(mesh, curve, run);
   if (!start) return std::nullopt;
   const RidgeFrame<3> &frame = curve.frames[run[0]];
   Surface<3> surface{SurfaceKind::reflexCut, FaceTag::surface(frame.tags[0]),
@@ -175,7 +185,7 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
 template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
             std::size_t sector, std::span<const Curve<N> *const> others, double snap, Surface<N> surface,
-            const CutOptions &options) {
+            double sagitta, const CutOptions &options) {
   const auto find = [&](std::size_t k) {
     const auto [f, g] = curve.frames[k].tags;
     return findRidge(mesh, curve.ridges[k].front(), curve.ridges[k].back(), f, g, options.facetSurfaces);
@@ -193,7 +203,7 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
       if (known && isCutWithin(mesh, *known, curve.frames[run[0]], rangeOfSheet(curve, run, sector),
                                options.facetSurfaces))
         return false;
-      resolve<N>(mesh, surface, seedsNow, options.tolerance, true);
+      resolve<N>(mesh, surface, seedsNow, options.tolerance, sagitta);
     }
   const auto ridge = find(run[0]);
   if (!ridge) return false;
@@ -223,19 +233,19 @@ template <int N>
 Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
                      std::span<const Curve<N>> curves, const CutPolicy &policy, const CutOptions &options) {
   Index cuts = 0;
-  const auto cut = [&](const auto &run, std::size_t sector, Surface<N> surface) {
-    if (cutRun(mesh, curve, run, sector, others, policy.snap, std::move(surface), options)) ++cuts;
+  const auto cut = [&](const auto &run, std::size_t sector, Surface<N> surface, double sagitta) {
+    if (cutRun(mesh, curve, run, sector, others, policy.snap, std::move(surface), sagitta, options)) ++cuts;
   };
   for (const auto &run : smoothRuns(mesh, curve)) {
     if constexpr (N == 3)
       if (policy.dishes)
-        if (std::optional<Surface<3>> dish = dishThrough(mesh, curve, run, options.tolerance)) {
-          cut(run, 0, std::move(*dish));
+        if (std::optional<Surface<3>> dish = dishThrough(mesh, curve, run)) {
+          cut(run, 0, std::move(*dish), kDishSagitta);
           continue;
         }
     const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
     for (std::size_t sector = 0; sector < sectors; ++sector)
-      cut(run, sector, surfaceThrough(mesh, curve, run, sector, curves, options.tolerance));
+      cut(run, sector, surfaceThrough(mesh, curve, run, sector, curves, options.tolerance), kSheetSagitta);
   }
   return cuts;
 }

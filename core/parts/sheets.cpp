@@ -164,8 +164,8 @@ DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> 
 }
 
 std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
-                                   std::span<const std::size_t> run, double tolerance) {
-  constexpr double kLeast = 0.4;  // cosine: a dish is nearly a plane
+                                   std::span<const std::size_t> run) {
+  constexpr double kLeast = 0.4; // cosine: a dish is nearly a plane
   constexpr double kDepth = 0.5; // of the curve's radius
   const std::vector<Chain> chains = chainsOf(curve);
   Axis axis;
@@ -173,8 +173,6 @@ std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> 
       !axisOf(chains[0], mesh.nodes, axis))
     return std::nullopt;
   const auto radius = [&](Index node) { return mesh.nodes[at(node)] - axis.centre; };
-  for (const Index node : chains[0].nodes)
-    if (std::abs(glm::dot(radius(node), axis.direction)) > tolerance) return std::nullopt;
   SheetStart start{curve, run, {}, {1, 0}, 0, kDepth * glm::length(radius(chains[0].nodes[0]))};
   for (const std::size_t k : run) {
     const RidgeFrame<3> &frame = curve.frames[k];
@@ -189,7 +187,8 @@ std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> 
 
 std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, const SheetStart &start,
                                                 std::span<const Curve<3>> curves) {
-  Sweep<3> sweep{{}, {}, {}, std::numeric_limits<double>::infinity(), start.slope, start.depth};
+  Sweep<3> sweep{
+      {}, {}, {}, start.slope != 0 ? 0.0 : std::numeric_limits<double>::infinity(), start.slope, start.depth};
   std::vector<double> directions = start.directions;
   std::vector<Heading<3>> headings = headingsAt(start, directions);
   const Curve<3> *target = nullptr;
@@ -221,10 +220,8 @@ std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, co
     sweep.headings.insert(sweep.headings.end(), smooth.begin(), smooth.end());
   };
   add(start.curve, start.run, headings);
-  double gap = 0;
   for (std::size_t k = 0; k < start.run.size(); ++k)
-    gap += gapAt(start.curve.frames[start.run[k]], directions[k]) / static_cast<double>(start.run.size());
-  sweep.gaps.assign(start.run.size(), gap);
+    sweep.gaps.push_back(gapAt(start.curve.frames[start.run[k]], directions[k]));
   if (target) add(*target, allRidges(*target), back);
   for (std::size_t k = 0; k < back.size(); ++k) {
     const RidgeFrame<3> &frame = target->frames[k];

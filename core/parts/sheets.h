@@ -27,7 +27,7 @@ template <int N> double meanAngle(const Curve<N> &curve, std::span<const std::si
 /// A dish: through a closed curve in a plane it leaves half way between the curve's sides and soon runs along
 /// the plane, so that the dishes of several rims keep apart. Nothing where the curve is none such.
 std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
-                                   std::span<const std::size_t> run, double tolerance);
+                                   std::span<const std::size_t> run);
 
 /// How far a sheet in the place of a sector's plane may turn.
 DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> run, std::size_t sector);

@@ -4,6 +4,7 @@
 #include "base/sort.h"
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace dualblock {
@@ -32,7 +33,11 @@ public:
 
   int sign(Index node) const {
     const double d = value(node);
-    return d > tolerance_ ? 1 : d < -tolerance_ ? -1 : 0;
+    if (std::abs(d) > tolerance_) return d > 0 ? 1 : -1;
+    if (std::abs(d) <= kExact * tolerance_) return 0;
+    const auto [known, isNew] = nearSigns_.try_emplace(node, 0);
+    if (isNew && hasNearer(node, d)) known->second = d > 0 ? 1 : -1;
+    return known->second;
   }
 
   void addSeed(const CutSeed<N> &seed) {
@@ -66,6 +71,25 @@ public:
   }
 
 private:
+  static constexpr double kExact = 1e-3; // of the tolerance
+
+  /// Whether an edge that clearly crosses the surface leads to a node that is nearer to it. If both counted
+  /// as on it, the cut would run along the edge, where parts on both sides of it may end the cut at either
+  /// node.
+  bool hasNearer(Index node, double d) const {
+    constexpr double kSlope = 0.03;
+    bool found = false;
+    visitStar(mesh_, node, [&](Index s) {
+      for (const Index other : mesh_.simplices[at(s)]) {
+        const double o = value(other);
+        found |= std::abs(o) < std::abs(d) &&
+                 std::abs(o - d) > kSlope * glm::length(mesh_.nodes[at(other)] - mesh_.nodes[at(node)]);
+      }
+      return found;
+    });
+    return found;
+  }
+
   using Signs = std::array<int, N + 1>;
 
   Signs signsOf(Index s) const {
@@ -166,7 +190,8 @@ private:
   const ReferenceMesh<N> &mesh_;
   const Surface<N> &surface_;
   const double tolerance_;
-  mutable std::vector<double> known_; // a field's values
+  mutable std::vector<double> known_;                // a field's values
+  mutable std::unordered_map<Index, int> nearSigns_; // of nodes within the tolerance
   std::vector<SectionPiece> queue_;
   std::unordered_set<std::int64_t> seen_; // membership only: no order is taken from it
 };

@@ -124,8 +124,7 @@ double splitPosition(const ReferenceMesh<N> &mesh, const CutField<N> &field, Ind
 /// another, with the middle off.
 template <int N>
 bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const std::vector<double> &values,
-                  Index s, double tolerance) {
-  constexpr double kSagitta = 0.2; // of the chord's length
+                  Index s, double tolerance, double sagitta) {
   std::array<Vec<N>, 4> crossings; // no plane crosses more edges of a tetrahedron
   std::size_t count = 0;
   const auto &v = mesh.simplices[at(s)];
@@ -141,7 +140,7 @@ bool hasBentChord(const ReferenceMesh<N> &mesh, const CutField<N> &field, const 
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = i + 1; k < count; ++k)
       if (std::abs(field.value(0.5 * (crossings[i] + crossings[k]))) >
-          kSagitta * glm::length(crossings[k] - crossings[i]))
+          sagitta * glm::length(crossings[k] - crossings[i]))
         return true;
   return false;
 }
@@ -182,10 +181,10 @@ std::vector<Index> nearSection(const ReferenceMesh<N> &mesh, const Surface<N> &s
 
 template <int N>
 void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
-             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords) {
+             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, double sagitta) {
   const CutField<N> &field = *surface.field;
   // A field that is uneven everywhere has no end of splits.
-  const Index limit = 3 * mesh.simplexCount() + 10000;
+  const Index limit = mesh.simplexCount() + std::min(2 * mesh.simplexCount() + 10000, 100000);
   std::vector<double> values(mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
   for (int round = 0; round < kRounds && mesh.simplexCount() <= limit; ++round) {
     checkDeadline();
@@ -205,7 +204,7 @@ void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
       if (const double t = splitPosition(mesh, field, a, b, values[at(a)], values[at(b)], tolerance); t > 0)
         wanted.push_back({a, b, t});
     for (const Index s : near)
-      if (followsChords && hasBentChord(mesh, field, values, s, tolerance))
+      if (sagitta > 0 && hasBentChord(mesh, field, values, s, tolerance, sagitta))
         wanted.push_back(splitOfLongest(mesh, values, s));
     if (wanted.empty()) break;
     sortItems(wanted, [](const WantedSplit &x, const WantedSplit &y) {
@@ -220,7 +219,7 @@ void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
 }
 
 template void resolve(ReferenceMesh<3> &, const Surface<3> &,
-                      const std::function<std::vector<CutSeed<3>>()> &, double, bool);
+                      const std::function<std::vector<CutSeed<3>>()> &, double, double);
 template void splitLongEdges(ReferenceMesh<2> &, double);
 template void splitLongEdges(ReferenceMesh<3> &, double);
 template void splitRandomEdges(ReferenceMesh<2> &, std::uint32_t);

@@ -20,14 +20,14 @@ template <int N> void splitEdges(ReferenceMesh<N> &mesh, std::vector<std::pair<I
 /// Prepares a cut along a surface with a field: splits edges that it crosses unseen, twice, where three
 /// points between the ends show it, and those where a node put by linear interpolation would stand clearly
 /// off it; several times over, as new edges appear. Only where the cut that begins at the `seeds`, asked for
-/// anew each time, would come. `followsChords`: also the longest edges of simplices that the cut would go
-/// straight through where the zero set is clearly bent. That takes many more nodes, and helps where a later
-/// cut has to cross this one once.
+/// anew each time, would come. `sagitta` above 0: also the longest edges of simplices that the cut would go
+/// straight through where the zero set is bent by more than this share of a chord's length. That takes many
+/// more nodes, and helps where a later cut has to cross this one once.
 template <int N>
 void resolve(ReferenceMesh<N> &mesh, const Surface<N> &surface,
-             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, bool followsChords);
+             const std::function<std::vector<CutSeed<N>>()> &seeds, double tolerance, double sagitta);
 
 extern template void resolve(ReferenceMesh<3> &, const Surface<3> &,
-                             const std::function<std::vector<CutSeed<3>>()> &, double, bool);
+                             const std::function<std::vector<CutSeed<3>>()> &, double, double);
 
 } // namespace dualblock

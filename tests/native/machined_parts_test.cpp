@@ -133,6 +133,84 @@ TEST(MachinedParts, Dumbbell) {
   EXPECT_LE(r.primal.blocks.size(), 216U);
 }
 
+/// Two pipes of radius 1 that meet at right angles: their walls make a crease that fades out at two vertices,
+/// where both are level; these may be off by `shift`.
+Domain<3> equalTee(int n, double shift) {
+  Domain<3> domain;
+  domain.name = "tee, off by " + std::to_string(shift);
+  const auto add = [&](double x, double y, double z) {
+    domain.vertices.emplace_back(x, y, z);
+    return toIndex(domain.vertices.size()) - 1;
+  };
+  struct Row {
+    Index left, right, creaseLeft, creaseRight, topLeft, topRight, lowLeft, lowRight;
+  };
+  std::vector<Row> rows; // over the width
+  for (int k = 0; k <= n / 2; ++k) {
+    const double angle = std::numbers::pi * (2.0 * k / n - 0.5);
+    const double y = std::sin(angle);
+    const bool isEnd = k == 0 || 2 * k == n;
+    const double h = isEnd ? 0 : std::cos(angle);
+    Row row{};
+    row.left = add(-3, y, h);
+    row.right = add(3, y, h);
+    row.creaseLeft = add(isEnd ? shift * y : -h, y, h);
+    row.topLeft = add(-h, y, 3);
+    row.creaseRight = isEnd ? row.creaseLeft : add(h, y, h);
+    row.topRight = isEnd ? row.topLeft : add(h, y, 3);
+    row.lowLeft = isEnd ? row.left : add(-3, y, -h);
+    row.lowRight = isEnd ? row.right : add(3, y, -h);
+    rows.push_back(row);
+  }
+  const auto facet = [&](std::vector<Index> loop) {
+    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+    if (loop.front() == loop.back()) loop.pop_back();
+    domain.facets.push_back({{std::move(loop)}});
+  };
+  std::vector<Index> leftEnd;
+  std::vector<Index> rightEnd;
+  std::vector<Index> topEnd;
+  for (const Row &row : rows) {
+    leftEnd.push_back(row.left);
+    rightEnd.push_back(row.right);
+    topEnd.push_back(row.topLeft);
+  }
+  for (std::size_t k = rows.size() - 1; k-- > 1;) {
+    leftEnd.push_back(rows[k].lowLeft);
+    rightEnd.push_back(rows[k].lowRight);
+    topEnd.push_back(rows[k].topRight);
+  }
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    const Row &a = rows[k];
+    const Row &b = rows[k + 1];
+    facet({a.left, a.creaseLeft, b.creaseLeft, b.left});
+    facet({a.creaseLeft, a.topLeft, b.topLeft, b.creaseLeft});
+    facet({a.creaseRight, b.creaseRight, b.topRight, a.topRight});
+    facet({a.creaseRight, a.right, b.right, b.creaseRight});
+    // The lowest strips run along the whole pipe, the outer ones past the vertex where the crease fades out.
+    std::vector<Index> low{b.lowLeft, b.lowRight, a.lowRight, a.lowLeft};
+    if (k == 0) low.insert(low.begin() + 3, a.creaseLeft);
+    if (k + 2 == rows.size()) low.insert(low.begin() + 1, b.creaseLeft);
+    facet(low);
+  }
+  facet({leftEnd.begin(), leftEnd.end()});
+  facet({rightEnd.rbegin(), rightEnd.rend()});
+  facet({topEnd.begin(), topEnd.end()});
+  return domain;
+}
+
+// Planes through both creases, which leave two wedges and two wedge-ended lengths to each side, cut by the
+// plane of the pipes and by one square to it: quarters of three pipes, prisms of three sides, and two wedges
+// below of four blocks each.
+TEST(MachinedParts, TeeOfEqualPipes) { expectParts(equalTee(24, 0), 14, 3 * 4 * 6 + 2 * 4); }
+
+// Nodes that earlier cuts leave beside such a vertex are nearer to each other than the tolerance: of those on
+// one edge across a later cut only one is on it.
+TEST(MachinedParts, TeeOfInexactVertices) {
+  for (const double shift : {5e-6, 2e-5, 5e-5, 1e-4, 2e-4, 1e-3})
+    expectParts(equalTee(24, shift), 14, 3 * 4 * 6 + 2 * 4);
+}
+
 // By hand it takes a tooth, what is under it and what is between it and the next: 24 blocks for each.
 TEST(MachinedParts, Gear) {
   const PipelineResult<3> r = run(gear(8));

@@ -69,6 +69,44 @@ export function makeTarget(solid: Solid, { tolerance, featureAngle }: TargetSett
 const kAutoAngle = 35;
 const kAutoPatches = 6;
 
+function sizesOf(surfaces: DisjointSets, count: number): Map<number, number> {
+  const sizes = new Map<number, number>();
+  for (let p = 0; p < count; p++) sizes.set(surfaces.find(p), (sizes.get(surfaces.find(p)) ?? 0) + 1);
+  return sizes;
+}
+
+/**
+ * Slivers of a coarse tessellation stand askew: a patch that is smooth with none of its three neighbours, which are with
+ * one another, is of the curved surface that they are pieces of.
+ */
+function joinMisfits(
+  surfaces: DisjointSets,
+  sizes: Map<number, number>,
+  patches: Patch[],
+  ridges: Ridge[],
+): void {
+  const beside = patches.map(() => new Set<number>());
+  for (const { uses } of ridges)
+    for (const p of uses.keys()) for (const q of uses.keys()) if (p !== q) beside[p]?.add(q);
+  const isAlike = (p: number, q: number): boolean => {
+    const [a, b] = [patches[p], patches[q]];
+    const isCurved = (sizes.get(surfaces.find(p)) ?? 0) >= kAutoPatches;
+    return isCurved && a !== undefined && b !== undefined && degreesBetween(a.normal, b.normal) < kAutoAngle;
+  };
+  beside.forEach((others, p) => {
+    const [a, b, c, more] = others;
+    if (
+      a === undefined ||
+      b === undefined ||
+      c === undefined ||
+      more !== undefined ||
+      sizes.get(surfaces.find(p)) !== 1
+    )
+      return;
+    if (isAlike(a, b) && isAlike(b, c) && isAlike(c, a)) surfaces.unite(p, a);
+  });
+}
+
 /**
  * A corner is kept where three sharp ridges meet, or two of different directions; a patch is kept where everything around
  * it is sharp. In the plane all are kept.
@@ -89,8 +127,11 @@ function strictParts(
     const [a, b] = [...uses.keys()];
     if (turn < degrees && a !== undefined && b !== undefined) surfaces.unite(a, b);
   }
-  const sizes = new Map<number, number>();
-  for (const p of patches.keys()) sizes.set(surfaces.find(p), (sizes.get(surfaces.find(p)) ?? 0) + 1);
+  let sizes = sizesOf(surfaces, patches.length);
+  if (featureAngle === 'auto') {
+    joinMisfits(surfaces, sizes, patches, ridges);
+    sizes = sizesOf(surfaces, patches.length);
+  }
   // A ridge that fades out in a bent surface has it on both sides, and is no feature of the domain.
   const isSmooth = ({ uses, turn }: Ridge): boolean => {
     const [a = 0, b = a] = [...uses.keys()].map((patch) => surfaces.find(patch));

@@ -1,0 +1,120 @@
+// Cuts along the axes of open arcs, for the shape of parts.
+#include <cmath>
+#include <numbers>
+
+#include "base/sort.h"
+#include "parts/bent_proposals.h"
+
+namespace dualblock {
+namespace {
+
+const double kLeastCosine = std::cos(70 * std::numbers::pi / 180);
+const double kHollowCosine = std::cos(30 * std::numbers::pi / 180);
+constexpr double kNearMiddle = 0.8; // cosine: corners that are this near to the middle attract a cut
+
+/// Whether a side turns away from its mean normal too far: by 70 degrees, a half cylinder does by 90; where
+/// hollow sides count, by 30 if it is one.
+bool turnsTooFar(const PartView &v, Index side) {
+  struct Facet {
+    Vec<3> place, normal;
+    double area;
+  };
+  std::vector<Facet> facets;
+  Facet mean{Vec<3>(0.0), Vec<3>(0.0), 0};
+  for (const FaceRef<3> *f = v.parts.sideFaces.begin(side); f != v.parts.sideFaces.end(side); ++f) {
+    const auto face = v.mesh.sortedFace(f->simplex, f->face);
+    const Vec<3> a = v.node(face[0]);
+    const double area = glm::length(glm::cross(v.node(face[1]) - a, v.node(face[2]) - a));
+    facets.push_back(
+        {(a + v.node(face[1]) + v.node(face[2])) / 3.0, v.mesh.outwardNormal(f->simplex, f->face), area});
+    mean.place += area * facets.back().place;
+    mean.normal += area * facets.back().normal;
+    mean.area += area;
+  }
+  if (glm::length(mean.normal) == 0) return true;
+  mean.normal = glm::normalize(mean.normal);
+  mean.place /= mean.area;
+  double beyond = 0; // by area: normals of slivers mean nothing
+  double hollow = 0;
+  double spread = 0; // below 0 where normals converge
+  for (const Facet &f : facets) {
+    const double cosine = glm::dot(f.normal, mean.normal);
+    beyond += cosine < kLeastCosine ? f.area : 0;
+    hollow += cosine < kHollowCosine ? f.area : 0;
+    spread += f.area * glm::dot(f.place - mean.place, f.normal - mean.normal);
+  }
+  return beyond > 0.02 * mean.area || (v.cutsArcs && spread < 0 && hollow > 0.02 * mean.area);
+}
+
+/// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
+/// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the
+/// plane runs from one to the other.
+std::optional<Proposal> acrossArc(const PartView &v, Index side) {
+  struct Arc {
+    double turn;
+    Chain chain;
+    Axis axis;
+  };
+  std::vector<Arc> arcs;
+  std::vector<Axis> others; // of arcs of any side
+  for (const Curve<3> *curve : v.curves) {
+    const bool isOfSide = curve->sides[0] == side || curve->sides[1] == side;
+    for (Chain &chain : chainsOf(*curve)) {
+      Axis axis;
+      if (chain.closed || !axisOf(chain, v.mesh.nodes, v.axes, axis)) continue;
+      others.push_back(axis);
+      if (!isOfSide) continue;
+      const Vec<3> a = glm::normalize(v.node(chain.nodes.front()) - axis.centre);
+      const Vec<3> b = glm::normalize(v.node(chain.nodes.back()) - axis.centre);
+      const Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
+      // Half the angle between the ends, or 180 degrees less that, as the middle lies between or beyond them.
+      const double half = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2;
+      arcs.push_back({glm::dot(a + b, middle) >= 0 ? half : std::numbers::pi - half, std::move(chain), axis});
+    }
+  }
+  sortItems(arcs, [](const Arc &a, const Arc &b) { return a.turn > b.turn; });
+  if (arcs.empty()) return std::nullopt;
+  const Chain &chain = arcs[0].chain;
+  Axis axis = arcs[0].axis;
+  if (arcs.size() > 1 && arcs[1].turn > 0.9 * arcs[0].turn) {
+    const Vec<3> along = arcs[1].axis.centre - axis.centre;
+    if (std::abs(glm::dot(along, axis.direction)) > 0.5 * glm::length(along))
+      axis.direction = glm::normalize(along);
+  }
+  Vec<3> middle = v.node(chain.nodes[chain.nodes.size() / 2]) - axis.centre;
+  const Vec<3> across = v.node(chain.nodes.back()) - v.node(chain.nodes.front());
+  if (glm::length(across) > 0) middle -= glm::dot(middle, across) / glm::dot(across, across) * across;
+  const auto flat = [&](const Vec<3> &x) { return x - glm::dot(x, axis.direction) * axis.direction; };
+  middle = glm::normalize(flat(middle));
+  Vec<3> towards = middle;
+  double nearest = kNearMiddle;
+  const auto attract = [&](const Vec<3> &x) {
+    const Vec<3> d = flat(x - axis.centre);
+    if (glm::length(d) <= kOnAxis * v.mesh.size) return;
+    const double cosine = glm::dot(glm::normalize(d), middle);
+    if (cosine <= nearest) return;
+    nearest = cosine;
+    towards = glm::normalize(d);
+  };
+  for (const Axis &other : others)
+    if (glm::length(glm::cross(other.direction, axis.direction)) <= kOnAxis) attract(other.centre);
+  if (towards == middle)
+    for (const Corner *corner : v.corners) // others are where a bent cut happens to end
+      if (std::count_if(corner->sides.begin(), corner->sides.end(),
+                        [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
+        attract(v.node(corner->node));
+  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
+                  halfOf(v, chain, axis, towards)};
+}
+
+} // namespace
+
+std::vector<Proposal> shaping(const PartView &v) {
+  std::vector<Proposal> list;
+  for (const Index *side = v.parts.partSides.begin(v.part); side != v.parts.partSides.end(v.part); ++side)
+    if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side))
+      if (std::optional<Proposal> proposal = acrossArc(v, *side)) list.push_back(std::move(*proposal));
+  return list;
+}
+
+} // namespace dualblock
