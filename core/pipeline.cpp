@@ -357,9 +357,10 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   r.features.sideFaces = {};
   r.alternatives = choice.alternatives;
   r.cutTrials = std::move(choice.trials);
-  const PipelineResult<N> common = proposals.empty() && r.bentSides == 0 ? PipelineResult<N>{} : r;
+  const PipelineResult<N> common = wantsShape || r.bentSides > 0 ? r : PipelineResult<N>{};
   if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
-  if (r.bentSides > 0 && !wantsShape && r.fallbackComponents + r.pulledComponents > 0)
+  if (const bool falls = r.fallbackComponents + r.pulledComponents > 0;
+      falls && r.bentSides > 0 && !wantsShape && !hasLastPolicy(r.cutTrials))
     propose(Proposals::last);
   takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   const ModeOptions &mode = options.mode;

@@ -249,7 +249,12 @@ std::vector<Index> simplicesOf(const ReferenceMesh<3> &mesh, const PartView &v) 
 }
 
 bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
-              const CutOptions &options) {
+              const BentCutOptions &options) {
+  const Plane<3> plane = plainPlane(v, proposal.surface.plane);
+  for (const Plane<3> &refused : options.refused)
+    if (!proposal.surface.field && std::abs(glm::dot(refused.normal, plane.normal)) > 1 - 1e-12 &&
+        std::abs(refused.distance(plane.offset * plane.normal)) <= options.tolerance)
+      return false;
   std::vector<Index> from = proposal.from;
   sortItems(from);
   const auto seedsNow = [&] {
@@ -267,7 +272,7 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
   const std::vector<CutSeed<3>> seeds = seedsNow();
   const Index surface = toIndex(mesh.surfaces.size());
   mesh.surfaces.push_back(proposal.surface);
-  if (!proposal.surface.field) mesh.surfaces.back().plane = plainPlane(v, proposal.surface.plane);
+  if (!proposal.surface.field) mesh.surfaces.back().plane = plane;
   if (cutAlong<3>(mesh, surface, seeds, options.tolerance) > 0) return true;
   mesh.surfaces.pop_back();
   return false;
@@ -275,13 +280,12 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 
 } // namespace
 
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
-                 const CutOptions &options, std::span<const CutPolicy> policies,
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                  const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   for (const auto propose :
        {smoothing, simplifying, shaping}) { // all parts are simple before any is bettered
-    PartView v{mesh, parts, 0, {}, {}, axes};
+    PartView v{mesh, parts, 0, {}, {}, options.axes};
     std::size_t curve = 0;
     std::size_t corner = 0;
     for (; v.part < toIndex(parts.parts.size()); ++v.part) {
@@ -292,7 +296,7 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vecto
       for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
         v.corners.push_back(&parts.corners[corner]);
       if (gaveUp[at(component[at(v.part)])]) continue;
-      v.cutsArcs = !policies.empty() && policies[at(component[at(v.part)])].arcs;
+      v.cutsArcs = !options.policies.empty() && options.policies[at(component[at(v.part)])].arcs;
       for (const Proposal &proposal : propose(v))
         if (carryOut(mesh, v, proposal, options)) return true;
     }

@@ -7,11 +7,15 @@
 
 namespace dualblock {
 
-/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns by more
-/// than 140 degrees, and cuts it. `axes`: those of the domain's curves. Components that gave up are passed
-/// over. `policies`: per component, or empty for the standard one. Returns whether a cut was made.
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const std::vector<Axis> &axes,
-                 const CutOptions &options, std::span<const CutPolicy> policies,
+struct BentCutOptions : CutOptions {
+  std::vector<Axis> axes;              // of the domain's curves
+  std::span<const CutPolicy> policies; // per component, or empty for the standard one
+  std::vector<Plane<3>> refused;       // planes not to cut along
+};
+
+/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns too far,
+/// and cuts it. Components that gave up are passed over. Returns whether a cut was made.
+bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                  const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

@@ -252,6 +252,7 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
       if (of(wanted).blocks < kNever) source[c] = wanted;
       score.add(of(source[c]));
     }
+    if (isLast && std::count(source.begin(), source.end(), PartSource::cuts) == 0) return;
     const bool isKnown = // what scores alike to the last bit is the same
         score == chosen || std::any_of(proposals.begin(), proposals.end(),
                                        [&](const auto &p) { return score == p.choice.score; });
@@ -276,9 +277,11 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
     for (const Apex apex : kApexes) {
       const Trial<N> trial =
           chooser.run(mesh, std::vector<CutPolicy>(components, policy), isLast ? 0 : kCheap, apex);
-      for (const PartSource wanted : {PartSource::cuts, PartSource::pulled, PartSource::simplices})
-        propose(trial, wanted);
-      if (isLast || !trial.decomposition.pulled) break; // there is nothing that could have a centre
+      propose(trial, PartSource::cuts);
+      if (isLast) break; // the others have been tried
+      propose(trial, PartSource::pulled);
+      propose(trial, PartSource::simplices);
+      if (!trial.decomposition.pulled) break; // there is nothing that could have a centre
     }
   return proposals;
 }

@@ -25,6 +25,11 @@ struct CutTrial : Score {
   Index components = 0; // that took it
 };
 
+/// Whether the policy was tried that is left where no other serves.
+inline bool hasLastPolicy(const std::vector<CutTrial> &trials) {
+  return std::any_of(trials.begin(), trials.end(), [](const CutTrial &t) { return t.policy.arcs; });
+}
+
 template <int N> struct PartChoice {
   Decomposition<N> decomposition;
   std::vector<PartSource> source; // per component

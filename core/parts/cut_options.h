@@ -1,6 +1,8 @@
 // What every rule of cutting has to know. Internal to parts/.
 #pragma once
 
+#include <limits>
+
 #include "parts/parts.h"
 
 namespace dualblock {
@@ -18,6 +20,7 @@ struct CutPolicy {
 struct CutOptions {
   double tolerance;    // nodes nearer to a cut than this count as on it
   Index facetSurfaces; // surfaces below this number are the domain's own facets
+  Index mostSimplices = std::numeric_limits<Index>::max(); // of a mesh that is still to be cut
 };
 
 } // namespace dualblock

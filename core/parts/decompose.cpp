@@ -1,5 +1,7 @@
 #include "parts/decompose.h"
 
+#include <numeric>
+
 #include "base/sort.h"
 #include "parts/bent_cuts.h"
 #include "parts/corner_cuts.h"
@@ -24,6 +26,9 @@ public:
   Budget(const ReferenceMesh<N> &mesh, Index limit) : gaveUp(at(mesh.componentCount), false), limit_(limit) {
     for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
   }
+
+  /// Of all components together.
+  Index most() const { return std::accumulate(limits_.begin(), limits_.end(), Index{0}); }
 
   void update(const ReferenceMesh<N> &mesh) { spend(mesh, 1, std::vector<bool>(gaveUp.size(), false)); }
 
@@ -76,28 +81,25 @@ std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> 
   return simple;
 }
 
-/// Rule 3. Where all parts of a component are simple, further cuts only better their shape: the first one
-/// that leaves one that is not is taken back, and is the last.
+/// Rule 3. Where all parts of a component are simple, further cuts only better their shape: one that leaves
+/// one that is not is taken back, and not tried again.
 void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
                   Budget<3> &budget, Decomposition<3> &result) {
   if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
     return;
-  const std::vector<Axis> axes = axesOf(uncut, mesh.nodes);
+  BentCutOptions bentOptions{options, axesOf(uncut, mesh.nodes), options.policies, {}};
   std::vector<bool> simple = simpleComponents(mesh, result.parts);
-  std::vector<bool> isSettled(simple.size(), false);
   std::vector<bool> isDone = budget.gaveUp;
   for (int round = 0; round < kBentRounds; ++round) {
     ReferenceMesh<3> before = mesh;
     const bool areSimple = std::find(simple.begin(), simple.end(), false) == simple.end();
-    if (!cutBentPart(mesh, result.parts, axes, options, options.policies, isDone)) break;
+    if (!cutBentPart(mesh, result.parts, bentOptions, isDone)) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
     bool isWorse = false;
-    for (std::size_t c = 0; c < simple.size(); ++c) {
-      if (!simple[c] || isSimpleNow[c]) continue;
-      isSettled[c] = isDone[c] = isWorse = true;
-    }
+    for (std::size_t c = 0; c < simple.size(); ++c) isWorse = isWorse || (simple[c] && !isSimpleNow[c]);
     if (isWorse) {
+      bentOptions.refused.push_back(mesh.surfaces.back().plane);
       mesh = std::move(before);
       continue;
     }
@@ -108,7 +110,6 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
     result.parts = std::move(parts);
     simple = isSimpleNow;
     isDone = budget.spend(mesh, kBentShare, simple);
-    for (std::size_t c = 0; c < simple.size(); ++c) isDone[c] = isDone[c] || isSettled[c];
   }
   if (result.early &&
       result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
@@ -156,6 +157,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
     }
     cuts += cutReflexCurve<N>(mesh, *curve, wanting, parts.curves, policyOf(*curve), options);
   }
+  if (mesh.simplexCount() > options.mostSimplices) budget.update(mesh);
 }
 
 } // namespace
@@ -169,10 +171,11 @@ void takeEarly(ReferenceMesh<3> &mesh, Decomposition<3> &decomposition) {
 }
 
 template <int N>
-Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options) {
+Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, DecomposeOptions options) {
   const PartOptions partOptions;
   Decomposition<N> result;
   Budget<N> budget(mesh, options.simplexLimit);
+  options.mostSimplices = budget.most();
   for (int round = 0; round < kReflexRounds; ++round) {
     const Index before = result.reflexCuts;
     cutReflexCurves(mesh, round == 0 ? uncut : result.parts, options, budget, result.reflexCuts);
@@ -203,7 +206,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const 
   return result;
 }
 
-template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
-template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);
+template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, DecomposeOptions);
+template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, DecomposeOptions);
 
 } // namespace dualblock

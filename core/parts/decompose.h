@@ -40,12 +40,12 @@ template <int N> struct Decomposition {
 /// type asks for (paper 2.4); afterwards vertices are cut until every part is simple, or no cut is left that
 /// helps.
 template <int N>
-Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const DecomposeOptions &options);
+Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, DecomposeOptions options);
 
 /// Goes back to the parts before those cuts.
 void takeEarly(ReferenceMesh<3> &mesh, Decomposition<3> &decomposition);
 
-extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, const DecomposeOptions &);
-extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, const DecomposeOptions &);
+extern template Decomposition<2> decompose(ReferenceMesh<2> &, const Parts<2> &, DecomposeOptions);
+extern template Decomposition<3> decompose(ReferenceMesh<3> &, const Parts<3> &, DecomposeOptions);
 
 } // namespace dualblock

@@ -186,6 +186,7 @@ template <int N>
 bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std::size_t> &run,
             std::size_t sector, std::span<const Curve<N> *const> others, double snap, Surface<N> surface,
             double sagitta, const CutOptions &options) {
+  if (mesh.simplexCount() > options.mostSimplices) return false;
   const auto find = [&](std::size_t k) {
     const auto [f, g] = curve.frames[k].tags;
     return findRidge(mesh, curve.ridges[k].front(), curve.ridges[k].back(), f, g, options.facetSurfaces);
