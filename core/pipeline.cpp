@@ -344,25 +344,24 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const bool wantsShape = options.objective == Objective::shape;
   for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
-  const ReferenceMesh<N> uncut = wantsShape || r.bentSides > 0 ? r.mesh : ReferenceMesh<N>{};
-  const Parts<N> uncutParts = r.features;
-  PartChoice<N> choice = chooseParts<N>(r.mesh, uncutParts, cutOptions, needCoarse);
+  const bool mayPropose = wantsShape || r.bentSides > 0;
+  const ReferenceMesh<N> uncut = mayPropose ? r.mesh : ReferenceMesh<N>{};
+  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
   std::vector<PartProposal<N>> proposals;
   const auto propose = [&, score = choice.score](Proposals which) {
-    proposals = proposeParts<N>(uncut, uncutParts, cutOptions, needCoarse, score, which);
+    proposals = proposeParts<N>(uncut, r.features, cutOptions, needCoarse, score, which);
   };
   if (wantsShape) propose(Proposals::all);
+  r.alternatives = choice.alternatives;
+  r.cutTrials = std::move(choice.trials);
+  const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
+  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
+  const bool falls = r.fallbackComponents + r.pulledComponents > 0;
+  if (falls && mayPropose && !wantsShape && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
+  takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
-  r.alternatives = choice.alternatives;
-  r.cutTrials = std::move(choice.trials);
-  const PipelineResult<N> common = wantsShape || r.bentSides > 0 ? r : PipelineResult<N>{};
-  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
-  if (const bool falls = r.fallbackComponents + r.pulledComponents > 0;
-      falls && r.bentSides > 0 && !wantsShape && !hasLastPolicy(r.cutTrials))
-    propose(Proposals::last);
-  takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   const ModeOptions &mode = options.mode;
   if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {
     clock.start("extraction", 0.95);
