@@ -26,6 +26,8 @@ public:
 
   double value(Index node) const {
     if (!surface_.field) return surface_.plane.distance(mesh_.nodes[at(node)]);
+    if (at(node) >= known_.size())
+      known_.resize(mesh_.nodes.size(), std::numeric_limits<double>::quiet_NaN());
     double &known = known_[at(node)];
     if (std::isnan(known)) known = surface_.field->value(mesh_.nodes[at(node)]);
     return known;

@@ -215,6 +215,10 @@ describe('selecting', () => {
     await page.mouse.move(600, 420);
     await page.waitForSelector('.tooltip');
     expect(await page.textContent('.tooltip')).toMatch(/^(Block|Primal edge) \d+$/);
+    await page.mouse.wheel(0, 300); // what was there is elsewhere now
+    await page.waitForSelector('.tooltip', { state: 'detached' });
+    await page.mouse.move(601, 420);
+    await page.waitForSelector('.tooltip');
     for (const [step, kind] of [
       [1, 'facet'],
       [2, 'simplex'],

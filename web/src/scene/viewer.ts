@@ -50,10 +50,19 @@ export class Viewer {
     this.renderer = new WebGLRenderer({ canvas, antialias: !drawsInSoftware(), alpha: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
+    const hovered = (at: At | null): void => {
+      const turn = ++this.hovers;
+      if (!at) events.hovered(null, { x: 0, y: 0 });
+      else
+        void this.pick(at).then((entity) => {
+          if (turn === this.hovers) events.hovered(entity, at);
+        });
+    };
     this.rig = new CameraRig(canvas, () => {
       this.rig.aimAtAll();
       this.motion.moved(Math.max(0, ...(this.model?.visible() ?? []).map(({ layer }) => layer.count)));
       this.invalidate();
+      hovered(null); // what was under the pointer is elsewhere now
       if (this.alone) return;
       this.told = this.rig.state();
       events.moved(this.told);
@@ -62,14 +71,7 @@ export class Viewer {
       clicked: (at, event) => {
         if (!this.rig.clickGizmo(event)) void this.pick(at).then((entity) => events.clicked(entity));
       },
-      hovered: (at) => {
-        const turn = ++this.hovers;
-        if (!at) events.hovered(null, { x: 0, y: 0 });
-        else
-          void this.pick(at).then((entity) => {
-            if (turn === this.hovers) events.hovered(entity, at);
-          });
-      },
+      hovered,
     });
   }
 
