@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "blocks/relax.h"
@@ -354,7 +355,9 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   if (wantsShape) propose(Proposals::all);
   r.alternatives = choice.alternatives;
   r.cutTrials = std::move(choice.trials);
+  ReferenceMesh<N> cut = std::exchange(r.mesh, {}); // proposals bring their own
   const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
+  r.mesh = std::move(cut);
   if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
   if (falls && mayPropose && !wantsShape && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);

@@ -99,7 +99,7 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   trials.set("largestAngle",
              column<double>(r.cutTrials, [](const CutTrial &t) { return t.policy.largestAngle; }));
   trials.set("turn", column<double>(r.cutTrials, [](const CutTrial &t) { return t.policy.snap; }));
-  trials.set("dishes", column<Index>(r.cutTrials, [](const CutTrial &t) { return t.policy.dishes ? 1 : 0; }));
+  trials.set("dishes", column<Index>(r.cutTrials, [](const CutTrial &t) { return t.policy.isLast ? 1 : 0; }));
   trials.set("blocks", column<double>(r.cutTrials, [](const CutTrial &t) { return t.blocks; }));
   trials.set("worstSine", column<double>(r.cutTrials, [](const CutTrial &t) { return t.worstSine; }));
   trials.set("components", column<Index>(r.cutTrials, [](const CutTrial &t) { return t.components; }));

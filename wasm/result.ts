@@ -102,7 +102,8 @@ export interface RunResult {
     /**
      * Policies of cutting that were tried, the standard one first: curves of more than `largestAngle` are cut, and planes
      * may `turn` by as much to serve two curves (radians); `dishes` is 1 where round rims get one cut each and hollow
-     * sides are cut along. `blocks` that the whole domain would get, the smallest sine of an angle in a part, and the `components` that took it.
+     * sides are cut along. `blocks` that the whole domain would get, the smallest sine of an angle in a part, and the
+     * `components` that took it.
      */
     cutTrials: {
       largestAngle: Float64Array;

@@ -1,4 +1,4 @@
-// The C library's strtod reckons with quadruple precision in software, which is slow, and 5 kB (gzip) of the
+// The C library's strtod reckons with quadruple precision in software, which is slow, and 6 kB (gzip) of the
 // module. This one takes its place for both readers. Short numbers are exact in plain doubles (W. Clinger,
 // "How to read floating point numbers accurately", 1990); what is left goes to JavaScript, which rounds
 // correctly, too: every number comes out as natively, to the last bit.
@@ -15,8 +15,8 @@ const char *skipDigits(const char *text) {
   return text;
 }
 
-/// m times ten to the power e, where both factors and so the one rounding are exact.
-bool isShort(std::uint64_t m, int digits, int e) { return (digits <= 15 || m == 0) && e >= -22 && e <= 22; }
+/// Whether both factors of digits times ten to the power e, and so the one rounding, are exact.
+bool isShort(int digits, int e) { return digits <= 15 && e >= -22 && e <= 22; }
 
 double scaled(std::uint64_t m, int e) {
   static constexpr std::array<double, 23> kTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -60,7 +60,7 @@ extern "C" double strtod(const char *text, char **end) {
       *end = const_cast<char *>(last);
     }
   }
-  if (isShort(m, digits, exponent)) return isNegative ? -scaled(m, exponent) : scaled(m, exponent);
+  if (isShort(digits, exponent)) return isNegative ? -scaled(m, exponent) : scaled(m, exponent);
   return emscripten::val::global("Number")(std::string(text, static_cast<const char *>(*end))).as<double>();
 }
 

@@ -43,7 +43,7 @@ bool turnsTooFar(const PartView &v, Index side) {
     hollow += cosine < kHollowCosine ? f.area : 0;
     spread += f.area * glm::dot(f.place - mean.place, f.normal - mean.normal);
   }
-  return beyond > 0.02 * mean.area || (v.cutsArcs && spread < 0 && hollow > 0.02 * mean.area);
+  return beyond > 0.02 * mean.area || (v.cutsHollows && spread < 0 && hollow > 0.02 * mean.area);
 }
 
 /// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,

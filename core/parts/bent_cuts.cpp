@@ -250,10 +250,11 @@ std::vector<Index> simplicesOf(const ReferenceMesh<3> &mesh, const PartView &v) 
 
 bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposal,
               const BentCutOptions &options) {
-  const Plane<3> plane = plainPlane(v, proposal.surface.plane);
+  Surface<3> surface = proposal.surface;
+  if (!surface.field) surface.plane = plainPlane(v, surface.plane);
   for (const Plane<3> &refused : options.refused)
-    if (!proposal.surface.field && std::abs(glm::dot(refused.normal, plane.normal)) > 1 - 1e-12 &&
-        std::abs(refused.distance(plane.offset * plane.normal)) <= options.tolerance)
+    if (!surface.field && std::abs(glm::dot(refused.normal, surface.plane.normal)) > 1 - 1e-12 &&
+        std::abs(refused.distance(surface.plane.offset * surface.plane.normal)) <= options.tolerance)
       return false;
   std::vector<Index> from = proposal.from;
   sortItems(from);
@@ -268,12 +269,11 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
     }
     return seeds;
   };
-  if (proposal.surface.field) resolve<3>(mesh, proposal.surface, seedsNow, options.tolerance, 0);
+  if (surface.field) resolve<3>(mesh, surface, seedsNow, options.tolerance, 0);
   const std::vector<CutSeed<3>> seeds = seedsNow();
-  const Index surface = toIndex(mesh.surfaces.size());
-  mesh.surfaces.push_back(proposal.surface);
-  if (!proposal.surface.field) mesh.surfaces.back().plane = plane;
-  if (cutAlong<3>(mesh, surface, seeds, options.tolerance) > 0) return true;
+  const Index number = toIndex(mesh.surfaces.size());
+  mesh.surfaces.push_back(std::move(surface));
+  if (cutAlong<3>(mesh, number, seeds, options.tolerance) > 0) return true;
   mesh.surfaces.pop_back();
   return false;
 }
@@ -296,7 +296,7 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOpt
       for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
         v.corners.push_back(&parts.corners[corner]);
       if (gaveUp[at(component[at(v.part)])]) continue;
-      v.cutsArcs = !options.policies.empty() && options.policies[at(component[at(v.part)])].arcs;
+      v.cutsHollows = !options.policies.empty() && options.policies[at(component[at(v.part)])].isLast;
       for (const Proposal &proposal : propose(v))
         if (carryOut(mesh, v, proposal, options)) return true;
     }

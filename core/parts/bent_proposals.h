@@ -28,7 +28,7 @@ struct PartView {
   std::vector<const Curve<3> *> curves;
   std::vector<const Corner *> corners;
   const std::vector<Axis> &axes; // of the domain's own curves
-  bool cutsArcs = false;         // CutPolicy
+  bool cutsHollows = false;      // CutPolicy::isLast
 
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
   /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean

@@ -151,7 +151,7 @@ template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
 /// middle, and what a side is hollow around is not seen from the middle of its part.
 template <int N> std::optional<CutPolicy> lastPolicyFor(const ReferenceMesh<N> &mesh) {
   CutPolicy policy;
-  policy.arcs = policy.dishes = true;
+  policy.isLast = true;
   policy.largestAngle = kAngle;
   const bool isBent =
       std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<N> &s) { return s.bent; });

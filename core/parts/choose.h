@@ -27,7 +27,7 @@ struct CutTrial : Score {
 
 /// Whether the policy was tried that is left where no other serves.
 inline bool hasLastPolicy(const std::vector<CutTrial> &trials) {
-  return std::any_of(trials.begin(), trials.end(), [](const CutTrial &t) { return t.policy.arcs; });
+  return std::any_of(trials.begin(), trials.end(), [](const CutTrial &t) { return t.policy.isLast; });
 }
 
 template <int N> struct PartChoice {

@@ -11,8 +11,8 @@ namespace dualblock {
 struct CutPolicy {
   double largestAngle = kFlatAngle; // radians: curves of more want a cut; no less, or they have no frames
   double snap = 0;                  // radians: a plane may turn by as much to serve another curve, too
-  bool arcs = false;                // hollow sides that turn are cut along, too
-  bool dishes = false;              // one sheet through a round rim, in the place of its sectors' two
+  bool isLast = false; // where no other serves: a round rim gets one sheet, in the place of its sectors' two,
+                       // and hollow sides that turn are cut along
 
   bool wantsCut(double angle) const { return angle > largestAngle; }
 };

@@ -239,7 +239,7 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<co
   };
   for (const auto &run : smoothRuns(mesh, curve)) {
     if constexpr (N == 3)
-      if (policy.dishes)
+      if (policy.isLast)
         if (std::optional<Surface<3>> dish = dishThrough(mesh, curve, run)) {
           cut(run, 0, std::move(*dish), kDishSagitta);
           continue;

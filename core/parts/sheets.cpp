@@ -172,8 +172,8 @@ std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> 
   if (curve.open || chains.size() > 1 || run.size() < curve.ridges.size() ||
       !axisOf(chains[0], mesh.nodes, axis))
     return std::nullopt;
-  const auto radius = [&](Index node) { return mesh.nodes[at(node)] - axis.centre; };
-  SheetStart start{curve, run, {}, {1, 0}, 0, kDepth * glm::length(radius(chains[0].nodes[0]))};
+  const Vec<3> radius = mesh.nodes[at(chains[0].nodes[0])] - axis.centre;
+  SheetStart start{curve, run, {}, {1, 0}, 0, 0, kDepth * glm::length(radius)};
   for (const std::size_t k : run) {
     const RidgeFrame<3> &frame = curve.frames[k];
     const Vec<3> half = headingAt(frame, frame.angle / 2).ahead;
@@ -187,16 +187,13 @@ std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> 
 
 std::shared_ptr<const CutField<3>> sheetThrough(const ReferenceMesh<3> &mesh, const SheetStart &start,
                                                 std::span<const Curve<3>> curves) {
-  Sweep<3> sweep{
-      {}, {}, {}, start.slope != 0 ? 0.0 : std::numeric_limits<double>::infinity(), start.slope, start.depth};
+  if (start.curve.open || start.run.size() < start.curve.ridges.size()) curves = {}; // ends in none
+  Sweep<3> sweep{{}, {}, {}, start.reach, start.slope, start.depth};
   std::vector<double> directions = start.directions;
   std::vector<Heading<3>> headings = headingsAt(start, directions);
   const Curve<3> *target = nullptr;
   std::vector<Heading<3>> back;
   for (const Curve<3> &curve : curves) {
-    if (start.curve.open || start.run.size() < start.curve.ridges.size() ||
-        start.range.low > start.range.high)
-      break;
     if (curve.part != start.curve.part || curve.open || curve.sides == start.curve.sides ||
         curve.frames.empty())
       continue;

@@ -13,7 +13,8 @@ struct SheetStart {
   std::span<const std::size_t> run; // of the curve's ridges
   std::vector<double> directions;   // per ridge of the run: from the curve's first side
   DirectionRange range;             // how far the directions may turn so that the sheet ends in another curve
-  double slope = 0;                 // Sweep
+  double reach = std::numeric_limits<double>::infinity(); // Sweep
+  double slope = 0;
   double depth = 1;
 };
 
@@ -24,8 +25,8 @@ template <int N> double meanAngle(const Curve<N> &curve, std::span<const std::si
   return mean;
 }
 
-/// A dish: through a closed curve in a plane it leaves half way between the curve's sides and soon runs along
-/// the plane, so that the dishes of several rims keep apart. Nothing where the curve is none such.
+/// A dish: it leaves a closed curve half way between the curve's sides and soon runs level with it, so that
+/// the dishes of several rims keep apart. Nothing where it would be steep.
 std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
                                    std::span<const std::size_t> run);
 

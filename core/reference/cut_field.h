@@ -42,6 +42,7 @@ template <int N> struct Sweep {
   double depth = 1;         // to this times the slope far ahead
 };
 
+/// Its field.
 template <int N> class SweptField final : public CutField<N> {
 public:
   explicit SweptField(Sweep<N> sweep) : sweep_(std::move(sweep)) {}

@@ -10,13 +10,8 @@ namespace dualblock {
 
 namespace {
 
-/// A facet beside another one.
-struct Beside {
-  Index facet, other;
-  Vec<3> normal, ofOther;
-};
-
-/// Where two facets meet that have the domain on the same sides, seen from each of them.
+/// Calls visit(facet, face, other facet, face) where two facets meet that have the domain on the same sides,
+/// from each of them.
 template <typename Visit> void visitRidges(const ReferenceMesh<3> &mesh, Visit visit) {
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
@@ -27,8 +22,7 @@ template <typename Visit> void visitRidges(const ReferenceMesh<3> &mesh, Visit v
         const FaceRef<3> mate = turnAroundRidge(mesh, s, i, k, kCrossNone, [](Index) {});
         const Index other = mesh.tags[at(mate.simplex)][mate.face];
         if (FaceTag::surface(tag) == FaceTag::surface(other) || (tag & 1) != (other & 1)) continue;
-        visit(Beside{FaceTag::surface(tag), FaceTag::surface(other), mesh.outwardNormal(s, i),
-                     mesh.outwardNormal(mate.simplex, mate.face)});
+        visit(FaceTag::surface(tag), FaceRef<3>{s, i}, FaceTag::surface(other), mate);
       }
     }
 }
@@ -43,10 +37,14 @@ std::vector<Index> sizesOf(DisjointSets &sets, std::size_t count) {
 /// which are with one another, belongs to the bent side that they are of.
 void joinMisfits(const ReferenceMesh<3> &mesh, DisjointSets &sets, const std::vector<Index> &sizes,
                  double leastCosine) {
+  struct Beside {
+    Index facet, other;
+    Vec<3> normal; // of the other
+  };
   std::vector<Beside> besides;
   const auto size = [&](Index facet) { return sizes[at(sets.find(facet))]; };
-  visitRidges(mesh, [&](const Beside &b) {
-    if (size(b.facet) == 1) besides.push_back(b);
+  visitRidges(mesh, [&](Index facet, FaceRef<3> /*face*/, Index other, FaceRef<3> mate) {
+    if (size(facet) == 1) besides.push_back({facet, other, mesh.outwardNormal(mate.simplex, mate.face)});
   });
   sortItems(besides, [](const Beside &a, const Beside &b) {
     return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
@@ -56,7 +54,7 @@ void joinMisfits(const ReferenceMesh<3> &mesh, DisjointSets &sets, const std::ve
   };
   besides.erase(std::unique(besides.begin(), besides.end(), isSame), besides.end());
   const auto isAlike = [&](const Beside &a, const Beside &b) {
-    return size(a.other) >= kSmoothFacets && glm::dot(a.ofOther, b.ofOther) > leastCosine;
+    return size(a.other) >= kSmoothFacets && glm::dot(a.normal, b.normal) > leastCosine;
   };
   for (std::size_t k = 0, next = 0; k < besides.size(); k = next) {
     while (next < besides.size() && besides[next].facet == besides[k].facet) ++next;
@@ -73,8 +71,10 @@ void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle) {
   const double leastCosine = std::cos(angle * std::numbers::pi / 180);
   mesh.smoothCosine = leastCosine;
   DisjointSets sets(mesh.surfaces.size());
-  visitRidges(mesh, [&](const Beside &b) {
-    if (b.facet < b.other && glm::dot(b.normal, b.ofOther) > leastCosine) sets.unite(b.facet, b.other);
+  visitRidges(mesh, [&](Index facet, FaceRef<3> face, Index other, FaceRef<3> mate) {
+    if (facet < other && glm::dot(mesh.outwardNormal(face.simplex, face.face),
+                                  mesh.outwardNormal(mate.simplex, mate.face)) > leastCosine)
+      sets.unite(facet, other);
   });
   std::vector<Index> sizes = sizesOf(sets, mesh.surfaces.size());
   if (featureAngle < 0 && *std::max_element(sizes.begin(), sizes.end()) >= kSmoothFacets) {
