@@ -1,5 +1,6 @@
 import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
+import { leanShaders } from './core/toolchain/lean-shaders.ts';
 import { licenceAndSource, securityPolicy, serviceWorker } from './core/toolchain/page-plugins.ts';
 import { chromium } from './tests/support/chromium.ts';
 
@@ -7,7 +8,7 @@ export default defineConfig({
   root: 'web',
   base: './',
   publicDir: '../public',
-  plugins: [securityPolicy, licenceAndSource, serviceWorker],
+  plugins: [leanShaders, securityPolicy, licenceAndSource, serviceWorker],
   build: {
     outDir: '../dist',
     emptyOutDir: true,

@@ -1,4 +1,5 @@
 // Layers as the adapters make them, without a picture: what they hold, in which colours, and what is drawn of it.
+import { type Mesh, Vector4 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../../wasm/dualblock.ts';
 import { type Refiner, refineInput } from '../../../wasm/refine.ts';
@@ -117,6 +118,28 @@ describe('what is drawn', () => {
     expect([faces(), lines()]).toEqual([6, 12]);
     blocks.show(new Uint8Array(64), false);
     expect([faces(), lines()]).toEqual([0, 0]);
+  });
+
+  it('are of many elements the faces towards the eye only, by counting', () => {
+    // A square of 3 by 3 with a hole of 1 by 1, 1 high: each face of a block has 49 faces of elements.
+    const m = model('square_ring');
+    const mesh = displayRefined(3, refiner.refine(refineInput(m.result), { intervals: 7 }));
+    const refined = new CellLayer(mesh.cells, { kind: 'element', number: 1 });
+    const { geometry } = refined.object.children[0] as Mesh;
+    const seenFrom = (x: number, y: number, z: number, w: number): number => {
+      refined.lookFrom(new Vector4(x, y, z, w));
+      return geometry.drawRange.count / 6 / 49;
+    };
+    const side = 6 * 2; // faces of blocks on an outer side; on a side of the hole a third of them
+    const lid = 6 * 6 - 4;
+    expect(seenFrom(1, 0, 0, 0)).toBe(side + side / 3); // a direction
+    expect(seenFrom(0, 0, -1, 0)).toBe(lid);
+    expect(seenFrom(3, -2, 1, 0)).toBe(2 * (side + side / 3) + lid);
+    expect(seenFrom(9, 1.5, 0.5, 1)).toBe(side + side / 3 + (2 * side) / 3); // a point: the hole's sides along y as well
+    expect(seenFrom(1.5, 1.5, 0.5, 1)).toBe((4 * side) / 3); // from within the hole
+    expect(refined.drawn().triangles.length / 6 / 49).toBe(4 * side + (4 * side) / 3 + 2 * lid);
+    refined.show(null, true); // with gaps all of them are drawn
+    expect(seenFrom(1, 0, 0, 0)).toBe(64 * 6 * 7);
   });
 
   it('are the visible segments and points, with their own numbers', () => {

@@ -9,11 +9,13 @@ import {
   LineSegments,
   Mesh,
   type ShaderMaterial,
+  Vector4,
 } from 'three';
 import { type CellSet, cellCenters } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
 import { type Cap, capsOf } from './caps.ts';
 import { cellMaterial } from './cell-material.ts';
+import { Facing } from './facing.ts';
 import { Layer, pointTexture, putPoints } from './layer.ts';
 
 export interface CellLayerOptions {
@@ -42,6 +44,9 @@ export class CellLayer extends Layer {
   private readonly caps: Mesh<BufferGeometry, ShaderMaterial> | null = null;
   private readonly exposed: Uint8Array;
   private mask: Uint8Array | null = null;
+  /** Of many cells only faces towards the eye are given to the renderer; null: all. */
+  private facing: Facing | null = null;
+  private readonly eye = new Vector4();
 
   constructor(set: CellSet, options: CellLayerOptions) {
     const { kind, number, faces = true, outlines = true, lit = 1, lineTint = 0.72 } = options;
@@ -81,11 +86,24 @@ export class CellLayer extends Layer {
       const open = other === -1 || (mask !== null && (other < 0 || mask[other] === 0));
       exposed[f] = visible && (gaps || open) ? 1 : 0;
     }
-    if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
+    if (this.faces) {
+      const used = this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
+      const turns = set.wired !== null && !set.open && !gaps; // with gaps cells are elsewhere
+      this.facing = turns ? new Facing(set.points, used.slice()) : null;
+      this.eye.set(0, 0, 0, 0);
+    }
     if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, gaps, out));
   }
 
-  /** Moves the cells' points, xyz each. */
+  /** Before it is drawn: what it is looked at from, homogeneous. */
+  lookFrom(eye: Vector4): void {
+    const { faces, facing } = this;
+    if (!faces || !facing || eye.equals(this.eye)) return;
+    this.eye.copy(eye);
+    this.fill(faces.geometry, (out) => facing.towards(eye, out));
+  }
+
+  /** Moves the cells' points, xyz each; to be shown anew. */
   move(points: Float32Array): void {
     const { set } = this;
     set.points.set(points);
@@ -111,7 +129,7 @@ export class CellLayer extends Layer {
     this.caps.geometry = capGeometry(cap);
   }
 
-  /** Triangles and outlines as they are drawn now, for export. */
+  /** Triangles and outlines as they may be seen now, from wherever, for export. */
   drawn(): { points: Float32Array; cell: Int32Array; triangles: Uint32Array; lines: Uint32Array } {
     const used = (geometry: BufferGeometry | undefined): Uint32Array =>
       geometry
@@ -120,7 +138,7 @@ export class CellLayer extends Layer {
     return {
       points: this.set.points,
       cell: this.set.pointCell,
-      triangles: used(this.faces?.geometry),
+      triangles: this.facing?.triangles ?? used(this.faces?.geometry),
       lines: this.set.wired ? loops(this.set, this.exposed) : used(this.outlines?.geometry),
     };
   }
@@ -134,13 +152,16 @@ export class CellLayer extends Layer {
     this.uniforms.centers.value?.dispose();
   }
 
-  private fill(geometry: BufferGeometry, write: (out: Uint32Array) => number): void {
+  /** Returns what was written. */
+  private fill(geometry: BufferGeometry, write: (out: Uint32Array) => number): Uint32Array {
     const index = geometry.index!;
-    const used = write(index.array as Uint32Array);
+    const array = index.array as Uint32Array;
+    const used = write(array);
     geometry.setDrawRange(0, used);
     index.clearUpdateRanges();
     index.addUpdateRange(0, used);
     index.needsUpdate = true;
+    return array.subarray(0, used);
   }
 }
 

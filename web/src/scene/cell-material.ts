@@ -9,22 +9,27 @@ import { common, emission, fetching, type LayerUniforms, material, placing } fro
  * is 0.
  */
 const wiring = {
-  triangle: 'vec4(k == 0, k == 1, k == 2, 0)',
+  triangle: 'vec3(k == 0, k == 1, k == 2)',
   tetrahedron: 'vec4(k == 0, k == 1, k == 2, k == 3)',
-  quad: 'vec4(((k + 1) & 2) >> 1, k >> 1, 0, 0)',
-  hexahedron: 'vec4(((k + 1) & 2) >> 1, (k >> 1) & 1, k >> 2, 0)',
+  quad: 'vec3(((k + 1) & 2) >> 1, k >> 1, 0)',
+  hexahedron: 'vec3(((k + 1) & 2) >> 1, (k >> 1) & 1, k >> 2)',
 } satisfies Record<ShapeName, string>;
 const wireDefines = (shape: ShapeName | null): string => {
   if (!shape) return '';
   const cube = shape === 'quad' || shape === 'hexahedron' ? '\n#define CUBE' : '';
-  return `#define WIRED${cube}\n#define CORNERS ${shapes[shape].vertices}\n#define COORDINATES(k) ${wiring[shape]}\n`;
+  const coordinates = wiring[shape];
+  return `#define WIRED${cube}
+#define CORNERS ${shapes[shape].vertices}
+#define CORNER ${coordinates.slice(0, 4)}
+#define COORDINATES(k) ${coordinates}
+`;
 };
 
 const cellVertex = /* glsl */ `${common}${fetching}${placing}
 uniform float lineTint;
 in float cell;
 #ifdef WIRED
-out vec4 corner;
+out CORNER corner;
 #endif
 out vec3 viewPoint;
 #ifdef CLIPPED
@@ -71,19 +76,22 @@ flat in vec4 second;
 ${emission}
 #ifdef WIRED
 uniform float wireTint;
-in vec4 corner;
+in CORNER corner;
+float least(vec3 v) { return min(min(v.x, v.y), v.z); }
+float least(vec4 v) { return min(least(v.xyz), v.w); }
 /** How much of the pixel is outline: nothing away from edges, and less where cells are but a few pixels large. */
 float outline() {
-  vec4 slope = sqrt(dFdx(corner) * dFdx(corner) + dFdy(corner) * dFdy(corner)); // per pixel
+  CORNER dx = dFdx(corner);
+  CORNER dy = dFdy(corner);
+  CORNER square = dx * dx + dy * dy;
+  CORNER pixels = inversesqrt(max(square, 1e-12)); // per unit
 #ifdef CUBE
-  vec4 rest = min(corner, 1. - corner);
+  CORNER rest = min(corner, 1. - corner);
 #else
-  vec4 rest = corner;
+  CORNER rest = corner;
 #endif
-  vec4 away = mix(rest / slope, vec4(1e9), lessThan(slope, vec4(1e-6)));
-  float nearest = min(min(away.x, away.y), min(away.z, away.w));
-  float steepest = max(max(slope.x, slope.y), max(slope.z, slope.w));
-  return clamp(.5 + .6 * pixelRatio - nearest, 0., 1.) * clamp(.25 / steepest, 0., 1.);
+  CORNER away = mix(rest * pixels, CORNER(1e9), lessThan(square, CORNER(1e-12)));
+  return clamp(.5 + .6 * pixelRatio - least(away), 0., 1.) * min(.25 * least(pixels), 1.);
 }
 #endif
 void main() {

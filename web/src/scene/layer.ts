@@ -95,12 +95,12 @@ class Colours {
   }
 }
 
-/** xyz per entity as a texture for shaders. */
 /** Points of xyz into texels of four. */
 export function putPoints(points: Float32Array, data: Float32Array): void {
   for (let k = 0; k < points.length / 3; k++) data.set(points.subarray(3 * k, 3 * k + 3), 4 * k);
 }
 
+/** xyz per entity as a texture for shaders. */
 export function pointTexture(points: Float32Array): DataTexture {
   const rows = Math.max(1, Math.ceil(points.length / 3 / rowWidth));
   const data = new Float32Array(4 * rowWidth * rows);

@@ -1,8 +1,18 @@
 // The canvas: renderer, one or two views of the scene, drawn when something changes.
-import { ColorManagement, LinearSRGBColorSpace, type Object3D, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  ColorManagement,
+  LinearSRGBColorSpace,
+  type Object3D,
+  Scene,
+  Vector3,
+  Vector4,
+  WebGLRenderer,
+} from 'three';
 import type { Camera, Entity, Step, ViewState } from '../state/view-state.ts';
 import { Blender } from './blend.ts';
 import { CameraRig, type Insets, type Viewport } from './camera.ts';
+import { CellLayer } from './cell-layer.ts';
+import { eyeOf } from './facing.ts';
 import { placeSlice } from './filters.ts';
 import type { MarkLayers } from './marks.ts';
 import { type ModelScene, planesOf } from './model-scene.ts';
@@ -41,6 +51,7 @@ export class Viewer {
   private hovers = 0;
   /** Device pixels per CSS pixel when nothing moves. */
   private pixelRatio = 1;
+  private readonly eye = new Vector4();
   private readonly motion = new Motion(() => this.invalidate());
 
   /** Throws where there is no WebGL 2. */
@@ -137,6 +148,7 @@ export class Viewer {
     const { viewport } = view;
     model.apply(view.state, view.step);
     rig.aim(viewport);
+    this.lookAt(model);
     this.setClips(state);
     const place = { x: x - viewport.x, y: y - viewport.y, width: viewport.width, height: viewport.height };
     const found = this.picker.pick(this.renderer, this.scene, rig.camera, model, place);
@@ -224,6 +236,7 @@ export class Viewer {
     for (const { step, state: own, viewport } of this.views(state)) {
       model.apply(own, step);
       rig.aim(viewport);
+      this.lookAt(model);
       const area = { ...viewport, y: height - viewport.y - viewport.height };
       this.blender.draw(renderer, this.scene, rig.camera, model, area, {
         occlusion: state.occlusion,
@@ -236,6 +249,11 @@ export class Viewer {
     if (!plain) rig.drawGizmo(renderer);
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
+  }
+
+  private lookAt(model: ModelScene): void {
+    const eye = eyeOf(this.rig.camera, this.eye);
+    for (const { layer } of model.visible()) if (layer instanceof CellLayer) layer.lookFrom(eye);
   }
 
   private setPixels(ratio: number): void {
