@@ -1,7 +1,7 @@
-// Shaders without the spaces and remarks that are for readers: 1.2 kB less to load (gzip).
+// Shaders without the spaces and remarks that are for readers: 2 kB less to load (gzip).
 import type { Plugin } from 'vite';
 
-/** Marked template literals of ours, and the indentation in three.js's strings, all of which are shaders. */
+/** Marked template literals of ours, and the strings of three.js that hold shaders. */
 export const leanShaders: Plugin = {
   name: 'lean-shaders',
   enforce: 'pre', // the marks are gone later
@@ -9,13 +9,20 @@ export const leanShaders: Plugin = {
   transform: {
     filter: { code: /glsl|gl_FragColor/ },
     handler(code, id) {
-      if (/three\.\w+\.js$/.test(id)) return { code: code.replace(/\\n(?:\\t)+/g, '\\n'), map: null };
-      return { code: code.replace(/(?<=\/\* glsl \*\/ )`[^`]*`/g, lean), map: null };
+      const marked = /three\.\w+\.js$/.test(id)
+        ? /(?<=^(?:var|const) \w+(?:\$\w+)? = )".*\\n.*"(?=;$)/gm
+        : /(?<=\/\* glsl \*\/ )`[^`]*`/g;
+      const lean = code.replace(marked, leanText);
+      return { code: lean, map: null };
     },
   },
 };
 
-function lean(shader: string): string {
-  const bare = shader.replace(/\/\*.*?\*\/|\/\/.*/g, '');
-  return bare.replace(/[ \t]*\n\s*/g, '\n').replace(/ ?([=*/<>?:,;{}]+) ?/g, '$1');
+/** Newlines may be escaped. Spaces that directives need stay: before a bracket, and around < and >. */
+function leanText(shader: string): string {
+  return shader
+    .replace(/\/\*.*?\*\/|\/\/(?:(?!\\n)[^"`\n])*/g, '')
+    .replace(/(?:[ \t]|\\t)*(\n|\\n)(?:\s|\\n|\\t)*/g, '$1')
+    .replace(/ ?([=*?:,;{}]) ?/g, '$1')
+    .replace(/\( | (?=\))/g, (space) => space.trim());
 }

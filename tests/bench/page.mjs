@@ -149,7 +149,7 @@ try {
       last = now;
     }
     turn('pointerup', 720);
-    return { shown, frames, turning, elements: stage.scene.refinement.allQuality.length };
+    return { shown, frames, turning, elements: stage.scene.refinement.quality.length };
   });
   const elements = fine.elements.toLocaleString('en');
   row(`${elements} elements: from the slider to the picture`, `${Math.round(fine.shown)} ms`, '2000 ms');

@@ -144,8 +144,7 @@ export class App {
 
   /** What an entity of the shown model is called: its kind, and the number that it has in files too. */
   nameOf(entity: Entity): string {
-    const dimension = this.model?.result.dimension ?? 3;
-    return entityName(entity, dimension, this.stage.scene?.refinement?.element);
+    return entityName(entity, this.model?.result.dimension ?? 3);
   }
 
   select(selection: Entity | null): void {

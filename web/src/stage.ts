@@ -149,9 +149,19 @@ export class Stage {
 
   private show(): void {
     const { state } = this.app.view;
+    const { scene } = this;
+    if (scene?.wantsInside(state)) void this.openInside(scene);
     const alone = this.problem?.given !== undefined;
     this.viewer.show(alone ? null : this.scene, state, this.theme);
     this.viewer.showMarks(this.marks, alone, state.step);
+  }
+
+  private async openInside(scene: ModelScene): Promise<void> {
+    const { Inside } = await import('./display/inside.ts');
+    const { refinement } = scene;
+    if (!refinement || !scene.wantsInside(this.app.view.state)) return;
+    scene.setInside(new Inside(refinement));
+    this.show();
   }
 
   private mark(marks: Marks, outline: number[] = []): void {

@@ -118,6 +118,14 @@ describe('caps', () => {
     expect(across([1, 0, 0], 1.47)).toBeCloseTo(2, 4);
     expect(across([0, 0, 1], 0.31)).toBeCloseTo(8, 4);
     expect(across([1, 0, 0], 5)).toBe(0);
+    // Outlines: around each section once.
+    const { points, lines } = capsOf(display.blocks, null, [{ normal: [1, 0, 0], offset: 0.43 }], still);
+    let around = 0;
+    for (let k = 0; k < lines.length; k += 2) {
+      const [a, b] = [lines[k]!, lines[k + 1]!].map((p) => points.subarray(3 * p, 3 * p + 3));
+      around += Math.hypot(...a!.map((x, d) => x - b![d]!));
+    }
+    expect(around).toBeCloseTo(6 * 2 * 2 * (0.5 + 0.5), 4); // 6 by 2 blocks, 0.5 by 0.5 each
   });
 
   it('belong to the cells that the plane cuts, hidden ones apart', () => {

@@ -135,7 +135,7 @@ export async function openExample(page: Page, name: string): Promise<void> {
 
 /** How many elements step 9 shows, or would if it drew all of them. */
 export const elements = (page: Page): Promise<number> =>
-  page.evaluate(() => dualblock.stage.scene?.refinement?.allQuality.length ?? 0);
+  page.evaluate(() => dualblock.stage.scene?.refinement?.quality.length ?? 0);
 
 /** A file given to the page's button. */
 export async function chooseFile(page: Page, name: string, content: string | Uint8Array): Promise<void> {

@@ -57,19 +57,19 @@ export interface RefinedCells {
   cells: CellSet;
   /** The edges of the blocks, each piece with a cell that has it. */
   outline: SegmentSet;
-  /** Per cell: its element; null where every element is a cell. */
+  /** Per cell: its element, ascending; null where every element is a cell. */
   element: Int32Array | null;
-  /** Per cell: its block. */
+  /** Where not every element is a cell: all of them, for those that filters lay open (inside.ts). */
+  mesh: Pick<RefinedMesh, 'positions' | 'elements'> | null;
+  /** Per element: its block. */
   block: Int32Array;
-  /** Per cell: minimum scaled Jacobian. */
+  /** Per element: minimum scaled Jacobian. */
   quality: Float64Array;
-  /** The same of all elements, for the histogram. */
-  allQuality: Float64Array;
   /** Blocks with straight elements beside a bent side. */
   straightened: number;
 }
 
-/** Beyond so many elements only those at the boundary are drawn: the others would be in memory for nothing. */
+/** Beyond so many elements only those at the boundary are cells: the others would mostly be in memory for nothing. */
 const mostWithInside = 250_000;
 
 /** What is drawn of a refined mesh. */
@@ -78,7 +78,7 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
   if (dimension === 2 || quality.length <= mostWithInside) {
     const cells = displayBlocks(dimension, positions, elements);
     const outline = outlineOf(dimension, mesh, null);
-    return { cells, outline, element: null, block, quality, allQuality: quality, straightened };
+    return { cells, outline, element: null, mesh: null, block, quality, straightened };
   }
   const outer = new Uint8Array(quality.length);
   for (const e of mesh.boundaryElement) outer[e] = 1;
@@ -95,9 +95,9 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
     cells: displayOuter(mesh, nodes),
     outline: outlineOf(3, mesh, element),
     element,
-    block: element.map((e) => block[e]!),
-    quality: Float64Array.from(element, (e) => quality[e]!),
-    allQuality: quality,
+    mesh: { positions, elements },
+    block,
+    quality,
     straightened,
   };
 }

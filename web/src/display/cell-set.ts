@@ -139,11 +139,12 @@ export function uniformCells(
   positions: Float64Array,
   cells: Int32Array,
   neighbors: Int32Array,
+  withLines = cells.length / shapes[name].vertices <= mostWithLines,
 ): CellSet {
   const shape: CellShape = shapes[name];
   const n = shape.vertices;
   const count = cells.length / n;
-  const edges = count > mostWithLines ? [] : shape.edges;
+  const edges = withLines ? shape.edges : [];
   const points = new Float32Array(3 * cells.length);
   const pointCell = new Int32Array(cells.length);
   cells.forEach((node, p) => {
@@ -188,7 +189,7 @@ export function uniformCells(
     lines,
     lineFaces,
     lineTwin: twins(lines, cells),
-    wired: edges.length > 0 ? null : name,
+    wired: withLines ? null : name,
     centers,
     depth: uniformDepths(count, neighbors),
     open: dimension === 2,

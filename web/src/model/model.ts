@@ -45,12 +45,8 @@ const flatNames: Partial<Record<EntityKind, string>> = {
 export const kindName = (kind: EntityKind, dimension: 2 | 3): string =>
   (dimension === 2 ? flatNames[kind] : undefined) ?? kindNames[kind];
 
-/** `elementOfCell`: where not all elements of a refined mesh are drawn, the number of each that is. */
-export const entityName = (
-  { kind, id }: Entity,
-  dimension: 2 | 3,
-  elementOfCell: Int32Array | null | undefined,
-): string => `${kindName(kind, dimension)} ${kind === 'element' ? (elementOfCell?.[id] ?? id) : id}`;
+export const entityName = ({ kind, id }: Entity, dimension: 2 | 3): string =>
+  `${kindName(kind, dimension)} ${id}`;
 
 /** How many entities of a kind there are. */
 export function entityCount({ result, display }: Model, kind: EntityKind): number {

@@ -5,21 +5,27 @@ import { cellOfClass } from '../display/dual-cells.ts';
 import type { Entity, EntityKind } from '../state/view-state.ts';
 import type { Model } from './model.ts';
 
-export type Related = Record<EntityKind, Set<number>>;
+export type Related = Record<Exclude<EntityKind, 'element'>, Set<number>> & {
+  /** Of a refined mesh, which may have millions: by their blocks. */
+  element: Pick<Set<number>, 'has'>;
+};
 
-const none = (): Related => ({
-  facet: new Set(),
-  curve: new Set(),
-  vertex: new Set(),
-  simplex: new Set(),
-  contribution: new Set(),
-  surface: new Set(),
-  cell: new Set(),
-  node: new Set(),
-  edge: new Set(),
-  block: new Set(),
-  element: new Set(),
-});
+const none = (blockOfElement: Int32Array | undefined): Related => {
+  const block = new Set<number>();
+  return {
+    facet: new Set(),
+    curve: new Set(),
+    vertex: new Set(),
+    simplex: new Set(),
+    contribution: new Set(),
+    surface: new Set(),
+    cell: new Set(),
+    node: new Set(),
+    edge: new Set(),
+    block,
+    element: { has: (id) => block.has(blockOfElement?.[id] ?? -1) },
+  };
+};
 
 /** The contributions of a simplex, by the page's numbers. */
 function contributionsBySimplex({ display }: Model): Map<number, number[]> {
@@ -75,8 +81,8 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
   const { contributions, primal, parts } = result;
   const n = result.dimension;
   const corners = 1 << n;
-  const out = none();
-  out[entity.kind].add(entity.id);
+  const out = none(blockOfElement);
+  if (entity.kind !== 'element') out[entity.kind].add(entity.id);
   const blockCount = primal.quality.length;
   const edgeCount = primal.edges.length / 2;
   const surfaceOfBlock = (b: number, k: number): number =>
@@ -220,10 +226,6 @@ export function relate(model: Model, entity: Entity, blockOfElement?: Int32Array
       if (between.every((set) => own.some((surface) => set.has(surface)))) out.block.add(b);
     }
   } else if (kind === 'vertex') nearest(model, id, addCell, blocksAround);
-  if (blockOfElement)
-    blockOfElement.forEach((block, element) => {
-      if (out.block.has(block)) out.element.add(element);
-    });
   return out;
 }
 

@@ -31,7 +31,7 @@ export function Histogram() {
   const model = app.model;
   const values =
     step === 9 && refined
-      ? refined.allQuality
+      ? refined.quality
       : model && roundOf(model.result, step === 8 ? round : null).quality;
   // A million values are not counted at every turn of the camera.
   const { low, counts } = useMemo(() => histogramOf(values ?? new Float64Array()), [values]);

@@ -60,14 +60,13 @@ export function ExplainPanel() {
       {refused && (
         <p class="invariant bad">
           {refused}{' '}
-          {refined &&
-            `The picture still shows the mesh of ${refined.allQuality.length.toLocaleString('en')}.`}
+          {refined && `The picture still shows the mesh of ${refined.quality.length.toLocaleString('en')}.`}
         </p>
       )}
       {drawn && (
         <p class="hint">
-          Of so many elements only those at the boundary are drawn, {drawn.length.toLocaleString('en')}: a
-          slice shows them as a shell.
+          Of so many elements those at the boundary are drawn, {drawn.length.toLocaleString('en')}, and the
+          others where a filter lays them open.
         </p>
       )}
       {refined && refined.straightened > 0 && <p class="hint">{straightenedText(refined.straightened)}</p>}
@@ -227,8 +226,9 @@ function EntityList() {
   const refined = app.stage.scene?.refinement;
   const kinds = listed[step].filter((kind) => kind !== 'curve' || dimension === 3);
   const entries = kinds.flatMap((kind) => {
-    const count = kind === 'element' ? (refined?.quality.length ?? 0) : entityCount(model, kind);
-    const ids = Array.from({ length: Math.min(count, longestList) }, (_, id) => id);
+    const drawn = kind === 'element' ? refined?.element : null;
+    const count = kind === 'element' ? (refined?.cells.count ?? 0) : entityCount(model, kind);
+    const ids = Array.from({ length: Math.min(count, longestList) }, (_, k) => drawn?.[k] ?? k);
     return ids
       .filter((id) => kind !== 'contribution' || step === 5 || soft[id] === (step === 4 ? 1 : 0))
       .map((id) => ({

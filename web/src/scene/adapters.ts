@@ -1,4 +1,5 @@
 // From what a run derived to layers of the scene: what each stage looks like, and in which colours.
+import type { CellSet } from '../display/cell-set.ts';
 import type { Model, RefinedDisplay } from '../model/model.ts';
 import { surfacesOfContribution } from '../model/provenance.ts';
 import { type LayerId, layerIds } from '../state/view-state.ts';
@@ -23,11 +24,15 @@ interface Made {
   filterable: Filterable;
 }
 
+/** Layers of the scene: those that the views know, and elements inside of a refined mesh that filters lay open. */
+export type SceneLayerId = LayerId | 'inside';
+export const sceneLayerIds: readonly SceneLayerId[] = [...layerIds, 'inside'];
+
 /** A layer of the model, not yet painted; undefined where the model has nothing for it. */
-export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | null): Made | undefined {
+export function makeLayer(id: SceneLayerId, model: Model, refined: RefinedDisplay | null): Made | undefined {
   const { display, result } = model;
   const flat = display.dimension === 2;
-  const number = layerIds.indexOf(id) + 1;
+  const number = sceneLayerIds.indexOf(id) + 1;
   const made = (layer: Layer, more: Partial<Filterable> = {}): Made => ({
     layer,
     filterable: { count: layer.count, centers: layer.centers, ...more },
@@ -89,35 +94,57 @@ export function makeLayer(id: LayerId, model: Model, refined: RefinedDisplay | n
         : undefined;
     case 'refined':
       return refined
-        ? made(new CellLayer(refined.cells, { kind: 'element', number, lit: flat ? 0 : 1 }), {
-            depth: refined.cells.depth,
-            quality: refined.quality,
-          })
+        ? ofElements(refined, new CellLayer(refined.cells, { kind: 'element', number, lit: flat ? 0 : 1 }))
         : undefined;
     case 'outline':
       return refined
-        ? made(new SegmentLayer(refined.outline, 2.2, { kind: 'element', number, bias: 0.004 }), {
-            depth: refined.cells.depth,
-            quality: refined.quality,
-          })
+        ? ofElements(
+            refined,
+            new SegmentLayer(refined.outline, 2.2, { kind: 'element', number, bias: 0.004 }),
+          )
         : undefined;
+    case 'inside':
+      return undefined; // filters make it
   }
+}
+
+function ofElements({ cells, element, quality }: RefinedDisplay, layer: Layer): Made {
+  layer.names = element;
+  return {
+    layer,
+    filterable: {
+      count: layer.count,
+      centers: layer.centers,
+      depth: cells.depth,
+      quality: element ? Float64Array.from(element, (e) => quality[e]!) : quality,
+      names: element,
+    },
+  };
+}
+
+/** What filters lay open of a refined mesh. */
+export function insideLayer({ cells, element }: { cells: CellSet; element: Int32Array }): CellLayer {
+  const number = sceneLayerIds.indexOf('inside') + 1;
+  const layer = new CellLayer(cells, { kind: 'element', number });
+  layer.names = element;
+  return layer;
 }
 
 /** Gives a layer its colours. */
 export function paintLayer(
-  id: LayerId,
+  id: SceneLayerId,
   layer: Layer,
   model: Model,
   refined: RefinedDisplay | null,
   theme: Theme,
   blockQuality: Float64Array,
 ): void {
-  layer.paint(paintOf(id, model, refined, theme, blockQuality));
+  const paint = paintOf(id, model, refined, theme, blockQuality);
+  layer.paint((k) => paint(layer.nameOf(k)));
 }
 
 function paintOf(
-  id: LayerId,
+  id: SceneLayerId,
   model: Model,
   refined: RefinedDisplay | null,
   theme: Theme,
@@ -168,6 +195,7 @@ function paintOf(
     case 'blocks':
       return (b) => ({ colour: qualityColour(blockQuality[b]!) });
     case 'refined':
+    case 'inside':
       return (e) => ({ colour: qualityColour(refined?.quality[e] ?? 1) });
   }
 }

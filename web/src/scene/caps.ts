@@ -14,18 +14,36 @@ export interface Cap {
   /** xyz, before shrinking and exploding: the shader deforms them like the cells. */
   points: Float32Array;
   cell: Float32Array;
+  /** Triangles. */
   index: Uint32Array;
+  /** Outlines of the sections, two points each. */
+  lines: Uint32Array;
+}
+
+interface Growing {
+  points: number[];
+  cell: number[];
+  index: number[];
+  lines: number[];
 }
 
 /** The sections of the visible cells with each plane. */
 export function capsOf(set: CellSet, mask: Uint8Array | null, planes: readonly Plane[], deform: Deform): Cap {
-  const out = { points: [] as number[], cell: [] as number[], index: [] as number[] };
+  const out: Growing = { points: [], cell: [], index: [], lines: [] };
   if (!set.open) for (const plane of planes) section(set, mask, plane, deform, out);
   return {
     points: Float32Array.from(out.points),
     cell: Float32Array.from(out.cell),
     index: Uint32Array.from(out.index),
+    lines: Uint32Array.from(out.lines),
   };
+}
+
+/** A closed line around a section or a hole in it: xyz per point, the same in the plane, and its signed area. */
+interface Loop {
+  points: number[][];
+  flat: Vector2[];
+  area: number;
 }
 
 function section(
@@ -33,7 +51,7 @@ function section(
   mask: Uint8Array | null,
   { normal, offset }: Plane,
   { shrink, explode, origin }: Deform,
-  out: { points: number[]; cell: number[]; index: number[] },
+  out: Growing,
 ): void {
   const { points, pointCell, centers, faceOffsets, facePoints, faceCell } = set;
   const height = new Float64Array(pointCell.length);
@@ -50,17 +68,18 @@ function section(
     if (h >= 0) above[c] = 1;
     else below[c] = 1;
   }
-  // Per cut cell: from point to point of the section; a point is an edge of the surface that crosses the plane.
-  const next = new Map<number, Map<string, string>>();
-  const places = new Map<number, Map<string, number[]>>();
+  // From crossing to crossing: of an edge of a cell's surface with the plane, named by the edge's ends. Cells share no
+  // points, so that a name belongs to one cell.
+  const next = new Map<number, number>();
+  const places = new Map<number, number[]>();
   for (let f = 0; f < faceCell.length; f++) {
     const c = faceCell[f]!;
     if (!above[c] || !below[c] || (mask && !mask[c])) continue;
     const from = faceOffsets[f]!;
     for (let k = from + 1; k + 1 < faceOffsets[f + 1]!; k++) {
       const triangle = [facePoints[from]!, facePoints[k]!, facePoints[k + 1]!];
-      let entry = '';
-      let exit = '';
+      let entry = -1;
+      let exit = -1;
       for (let i = 0; i < 3; i++) {
         const a = triangle[i]!;
         const b = triangle[(i + 1) % 3]!;
@@ -68,57 +87,64 @@ function section(
         const down = height[a]! >= 0 && height[b]! < 0;
         if (!up && !down) continue;
         const [p, q] = a < b ? [a, b] : [b, a];
-        const key = `${p} ${q}`;
-        const t = height[p]! / (height[p]! - height[q]!);
-        const at = [0, 1, 2].map((d) => points[3 * p + d]! + t * (points[3 * q + d]! - points[3 * p + d]!));
-        if (!places.has(c)) places.set(c, new Map());
-        places.get(c)!.set(key, at);
-        if (up) entry = key;
-        else exit = key;
+        const name = p * pointCell.length + q;
+        if (!places.has(name)) {
+          const t = height[p]! / (height[p]! - height[q]!);
+          const at = (d: number): number =>
+            points[3 * p + d]! + t * (points[3 * q + d]! - points[3 * p + d]!);
+          places.set(name, [at(0), at(1), at(2)]);
+        }
+        if (up) entry = name;
+        else exit = name;
       }
-      if (!entry || !exit) continue;
-      if (!next.has(c)) next.set(c, new Map());
-      next.get(c)!.set(entry, exit);
+      if (entry >= 0 && exit >= 0) next.set(entry, exit);
     }
   }
   const [u, v] = basis(normal);
-  for (const [c, steps] of next) {
-    const loops: { keys: string[]; flat: Vector2[]; area: number }[] = [];
-    while (steps.size > 0) {
-      const keys: string[] = [];
-      let key = steps.keys().next().value;
-      while (key !== undefined && steps.has(key)) {
-        keys.push(key);
-        const to: string = steps.get(key)!;
-        steps.delete(key);
-        key = to;
-      }
-      const flat = keys.map((name) => {
-        const at = places.get(c)!.get(name)!;
-        return new Vector2(dot(at, u), dot(at, v));
+  const loopsOf = new Map<number, Loop[]>();
+  for (const first of next.keys()) {
+    const loop: Loop = { points: [], flat: [], area: 0 };
+    for (let name = first; next.has(name); ) {
+      const to = next.get(name)!;
+      next.delete(name);
+      const at = places.get(name)!;
+      loop.points.push(at);
+      loop.flat.push(new Vector2(dot(at, u), dot(at, v)));
+      name = to;
+    }
+    if (loop.points.length < 3) continue;
+    loop.area = ShapeUtils.area(loop.flat);
+    const cell = pointCell[Math.floor(first / pointCell.length)]!;
+    const known = loopsOf.get(cell);
+    if (known) known.push(loop);
+    else loopsOf.set(cell, [loop]);
+  }
+  for (const [cell, loops] of loopsOf) close(cell, loops, out);
+}
+
+/** Fills the section of one cell. */
+function close(cell: number, loops: Loop[], out: Growing): void {
+  // The largest loop and those that turn like it bound; the others are holes in the one around them.
+  const sign = Math.sign(loops.reduce((a, b) => (Math.abs(b.area) > Math.abs(a.area) ? b : a)).area);
+  const outer = loops.filter((l) => Math.sign(l.area) === sign);
+  for (const loop of outer) {
+    const holes = loops.filter(
+      (l) => Math.sign(l.area) === -sign && (outer.length === 1 || inside(l.flat[0]!, loop.flat)),
+    );
+    const first = out.points.length / 3;
+    for (const { points } of [loop, ...holes]) {
+      const start = out.points.length / 3;
+      points.forEach((at, k) => {
+        out.points.push(...at);
+        out.cell.push(cell);
+        out.lines.push(start + k, start + ((k + 1) % points.length));
       });
-      if (flat.length >= 3) loops.push({ keys, flat, area: ShapeUtils.area(flat) });
     }
-    if (loops.length === 0) continue;
-    // The largest loop and those that turn like it bound; the others are holes in the one around them.
-    const sign = Math.sign(loops.reduce((a, b) => (Math.abs(b.area) > Math.abs(a.area) ? b : a)).area);
-    const outer = loops.filter((l) => Math.sign(l.area) === sign);
-    for (const loop of outer) {
-      const holes = loops.filter(
-        (l) => Math.sign(l.area) === -sign && (outer.length === 1 || inside(l.flat[0]!, loop.flat)),
-      );
-      const first = out.points.length / 3;
-      for (const { keys } of [loop, ...holes])
-        for (const name of keys) {
-          out.points.push(...places.get(c)!.get(name)!);
-          out.cell.push(c);
-        }
-      const faces = ShapeUtils.triangulateShape(
-        [...loop.flat],
-        holes.map((h) => [...h.flat]),
-      );
-      for (const face of faces) out.index.push(...face.map((i) => first + i));
-    }
+    const faces = ShapeUtils.triangulateShape(
+      [...loop.flat],
+      holes.map((h) => [...h.flat]),
+    );
+    for (const face of faces) out.index.push(...face.map((i) => first + i));
   }
 }
 

@@ -36,12 +36,16 @@ export interface Plane {
   offset: number;
 }
 
+/** Points of sections' outlines from which on they would hide the sections. */
+const mostCapLines = 80_000;
+
 export class CellLayer extends Layer {
   readonly object = new Group();
   readonly set: CellSet;
   private readonly faces: Mesh<BufferGeometry, ShaderMaterial> | null = null;
   private readonly outlines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
   private readonly caps: Mesh<BufferGeometry, ShaderMaterial> | null = null;
+  private readonly capLines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
   private readonly exposed: Uint8Array;
   private mask: Uint8Array | null = null;
   /** Of many cells only faces towards the eye are given to the renderer; null: all. */
@@ -62,8 +66,12 @@ export class CellLayer extends Layer {
         cellMaterial(this.uniforms, { lit, wired: outlines ? set.wired : null, wireTint: lineTint }),
       );
       this.caps = new Mesh(new BufferGeometry(), cellMaterial(this.uniforms, { lit: 0, cap: true }));
-      this.caps.visible = false;
-      this.object.add(this.faces, this.caps);
+      this.capLines = new LineSegments(
+        new BufferGeometry(),
+        cellMaterial(this.uniforms, { lineTint, cap: true }),
+      );
+      this.caps.visible = this.capLines.visible = false;
+      this.object.add(this.faces, this.caps, this.capLines);
     }
     if (outlines && set.lines.length > 0) {
       this.outlines = new LineSegments(
@@ -119,14 +127,20 @@ export class CellLayer extends Layer {
 
   /** Closes the cells that the planes cut; none removes the caps. */
   cap(planes: readonly Plane[]): void {
-    if (!this.caps) return;
-    this.caps.visible = planes.length > 0;
+    if (!this.caps || !this.capLines) return;
+    this.caps.visible = this.capLines.visible = planes.length > 0;
     if (planes.length === 0) return;
     const { shrink, explode, origin } = this.uniforms;
     const deform = { shrink: shrink.value, explode: explode.value, origin: origin.value.toArray() };
     const cap = capsOf(this.set, this.mask, planes, deform);
-    this.caps.geometry.dispose();
-    this.caps.geometry = capGeometry(cap);
+    for (const [mesh, index] of [
+      [this.caps, cap.index],
+      [this.capLines, cap.lines],
+    ] as const) {
+      mesh.geometry.dispose();
+      mesh.geometry = capGeometry(cap, index);
+    }
+    this.capLines.visible = cap.lines.length < mostCapLines;
   }
 
   /** Triangles and outlines as they may be seen now, from wherever, for export. */
@@ -144,7 +158,7 @@ export class CellLayer extends Layer {
   }
 
   override dispose(): void {
-    for (const object of [this.faces, this.outlines, this.caps]) {
+    for (const object of [this.faces, this.outlines, this.caps, this.capLines]) {
       object?.geometry.dispose();
       object?.material.dispose();
     }
@@ -228,7 +242,7 @@ function outlines(
   return n;
 }
 
-function capGeometry({ points, cell, index }: Cap): BufferGeometry {
+function capGeometry({ points, cell }: Cap, index: Uint32Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(points, 3));
   geometry.setAttribute('cell', new BufferAttribute(cell, 1));

@@ -30,7 +30,7 @@ export interface Filter {
   quality: readonly [number, number] | null;
   hidden: ReadonlySet<number>;
   /** Only these stay; null: all. */
-  only: ReadonlySet<number> | null;
+  only: Pick<ReadonlySet<number>, 'has'> | null;
   /** Entities from this number on come later: contributions in the order of insertion. */
   until: number;
 }
@@ -41,6 +41,8 @@ export interface Filterable {
   centers: Float32Array;
   depth?: Int32Array | undefined;
   quality?: Float64Array | undefined;
+  /** What `hidden` and `only` call each, where that differs. */
+  names?: Int32Array | null | undefined;
   /** The place of each entity in the order of insertion. */
   order?: Int32Array | undefined;
 }
@@ -65,7 +67,10 @@ export function visibleMask(of: Filterable, filter: Filter): Uint8Array | null {
     if (sorts && (of.quality![id]! < quality[0] || of.quality![id]! > quality[1])) mask[id] = 0;
     if (scrubs && of.order![id]! >= until) mask[id] = 0;
   }
-  for (const id of hidden) mask[id] = 0;
-  if (only) for (let id = 0; id < of.count; id++) if (!only.has(id)) mask[id] = 0;
+  if (hidden.size > 0 || only)
+    for (let id = 0; id < of.count; id++) {
+      const name = of.names?.[id] ?? id;
+      if (hidden.has(name) || only?.has(name) === false) mask[id] = 0;
+    }
   return mask;
 }

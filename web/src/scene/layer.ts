@@ -22,6 +22,8 @@ export abstract class Layer {
   readonly uniforms: LayerUniforms;
   /** xyz per entity, for filters. */
   readonly centers: Float32Array;
+  /** What the model calls each of them, where that differs. */
+  names: Int32Array | null = null;
   private readonly colours: Colours;
 
   /** `number`: for picking, over 0. */
@@ -49,6 +51,16 @@ export abstract class Layer {
   /** The colour of an entity as it was painted. */
   colourOf(id: number): Rgb {
     return this.colours.of(id);
+  }
+
+  /** From the layer's number of an entity to the model's. */
+  nameOf(id: number): number {
+    return this.names?.[id] ?? id;
+  }
+
+  /** The other way round; -1 for one that is not in the layer. */
+  numberOf(name: number): number {
+    return this.names?.indexOf(name) ?? name;
   }
 
   dispose(): void {

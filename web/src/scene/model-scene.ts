@@ -1,22 +1,21 @@
 // The layers of one model, made when they are first seen, and how a view state shows them in a step.
 import { Group, Vector3 } from 'three';
 import { pick } from '../display/domain.ts';
+import type { Inside } from '../display/inside.ts';
 import { entityCount, type Model, type RefinedDisplay } from '../model/model.ts';
 import { type Related, relate } from '../model/provenance.ts';
 import { type Round, roundOf } from '../model/relaxation.ts';
 import {
   type Entity,
   explodeOf,
-  type LayerId,
-  layerIds,
   layerSetting,
   type Step,
   sameEntity,
   shrinkOf,
   type ViewState,
 } from '../state/view-state.ts';
-import { makeLayer, paintLayer } from './adapters.ts';
-import { CellLayer } from './cell-layer.ts';
+import { insideLayer, makeLayer, paintLayer, type SceneLayerId, sceneLayerIds } from './adapters.ts';
+import { CellLayer, type Plane } from './cell-layer.ts';
 import { type Filterable, placeSlice, type SlicePlane, visibleMask } from './filters.ts';
 import { flag, type Layer } from './layer.ts';
 import type { Theme } from './palette.ts';
@@ -44,8 +43,10 @@ const isWhole = (state: ViewState, step: Step): boolean =>
 export class ModelScene {
   readonly object = new Group();
   readonly model: Model;
-  private readonly entries = new Map<LayerId, Entry>();
+  private readonly entries = new Map<SceneLayerId, Entry>();
   private refined: RefinedDisplay | null = null;
+  /** Of a refined mesh whose elements are not all drawn; loaded when a filter first wants it. */
+  private inside: Inside | null = null;
   private theme: Theme;
   /** The round of relaxation that the blocks are shown after, and how they were then. */
   private round: number | null = null;
@@ -86,10 +87,19 @@ export class ModelScene {
 
   setRefined(refined: RefinedDisplay | null): void {
     this.refined = refined;
-    this.drop('refined');
-    this.drop('outline');
+    this.inside = null;
+    for (const id of ['refined', 'outline', 'inside'] as const) this.drop(id);
     this.selection = null; // marked anew: its counterparts change
     this.isolated = null;
+  }
+
+  /** Whether a view filters a refined mesh whose inside has not been given yet. */
+  wantsInside(state: ViewState): boolean {
+    return this.refined?.mesh != null && this.inside === null && !isWhole(state, 9);
+  }
+
+  setInside(inside: Inside): void {
+    this.inside = inside;
   }
 
   get refinement(): RefinedDisplay | null {
@@ -98,11 +108,11 @@ export class ModelScene {
 
   /** The layer that a picked number stands for. */
   layerOf(number: number): Layer | undefined {
-    const id = layerIds[number - 1];
+    const id = sceneLayerIds[number - 1];
     return id && this.entries.get(id)?.layer;
   }
 
-  layer(id: LayerId): Layer | undefined {
+  layer(id: SceneLayerId): Layer | undefined {
     return this.entries.get(id)?.layer;
   }
 
@@ -123,11 +133,13 @@ export class ModelScene {
     this.select(state.selection);
     this.isolate(state.isolated);
     const plane = state.slice ? placeSlice(state.slice, this.model.display.box) : null;
-    for (const id of layerIds) {
-      const { visible: wanted, opacity } = layerSetting(state, step, id, this.model.display.dimension);
+    for (const id of sceneLayerIds) {
+      const setting = id === 'inside' ? 'refined' : id;
+      const { visible: wanted, opacity } = layerSetting(state, step, setting, this.model.display.dimension);
       // Edges are where the nodes are at last; blocks' edges would float where elements are gone or moved apart.
       const isInPlace = (id !== 'edges' || round === null) && (id !== 'outline' || isWhole(state, step));
-      const visible = wanted && isInPlace;
+      const isLaidOpen = id !== 'inside' || (this.inside !== null && !isWhole(state, step));
+      const visible = wanted && isInPlace && isLaidOpen;
       const entry = visible ? this.entry(id) : this.entries.get(id);
       if (!entry) continue;
       entry.layer.object.visible = visible;
@@ -135,12 +147,13 @@ export class ModelScene {
       if (id === 'blocks') this.moveBlocks(entry, round);
       this.deform(entry.layer, id, state, step, opacity);
       this.filter(entry, id, state, step, plane);
+      if (id === 'inside') this.deform(entry.layer, id, state, step, opacity); // it may be another layer now
     }
   }
 
   /** Visible layers, opaque ones first. */
-  visible(): { id: LayerId; layer: Layer; opacity: number }[] {
-    return layerIds
+  visible(): { id: SceneLayerId; layer: Layer; opacity: number }[] {
+    return sceneLayerIds
       .flatMap((id) => {
         const layer = this.entries.get(id)?.layer;
         return layer?.object.visible ? [{ id, layer, opacity: layer.uniforms.opacity.value }] : [];
@@ -164,9 +177,10 @@ export class ModelScene {
     paintLayer('blocks', entry.layer, this.model, this.refined, this.theme, this.blocks.quality);
   }
 
-  private deform(layer: Layer, id: LayerId, state: ViewState, step: Step, opacity: number): void {
+  private deform(layer: Layer, id: SceneLayerId, state: ViewState, step: Step, opacity: number): void {
     const { uniforms } = layer;
-    const deforms = id === 'simplices' || id === 'cells' || id === 'blocks' || id === 'refined';
+    const deforms =
+      id === 'simplices' || id === 'cells' || id === 'blocks' || id === 'refined' || id === 'inside';
     uniforms.opacity.value = opacity;
     setVariant(layer.object, opacity < 1, state.slice?.capped === true);
     // A step's own gaps make all faces of all cells visible: not for more than can be looked at anyway.
@@ -178,7 +192,13 @@ export class ModelScene {
     uniforms.dimmed.value = state.selection ? 1 : 0;
   }
 
-  private filter(entry: Entry, id: LayerId, state: ViewState, step: Step, plane: SlicePlane | null): void {
+  private filter(
+    entry: Entry,
+    id: SceneLayerId,
+    state: ViewState,
+    step: Step,
+    plane: SlicePlane | null,
+  ): void {
     const { layer, filterable } = entry;
     const { shrink, explode } = layer.uniforms;
     const gaps = shrink.value < 1 || explode.value > 0;
@@ -193,7 +213,7 @@ export class ModelScene {
         : id === 'soft' && step === 4
           ? state.scrub.soft
           : null) ?? Number.POSITIVE_INFINITY;
-    const quality = id === 'blocks' || id === 'refined' || id === 'outline' ? state.quality : null;
+    const quality = id === 'blocks' || layer.kind === 'element' ? state.quality : null;
     const key = JSON.stringify([
       gaps,
       cuts ? [plane, shrink.value, explode.value] : null,
@@ -216,12 +236,27 @@ export class ModelScene {
       only,
       until,
     });
-    layer.show(this.restrict(id, mask, layer.count, state), gaps);
-    if (layer instanceof CellLayer) layer.cap(cuts && plane ? planesOf(plane) : []);
+    const planes = cuts && plane ? planesOf(plane) : [];
+    if (id === 'inside') this.open(entry, gaps ? null : mask, gaps ? [] : planes);
+    else layer.show(this.restrict(id, mask, layer.count, state), gaps);
+    if (entry.layer instanceof CellLayer) entry.layer.cap(planes);
+  }
+
+  /** Shows what a filter lays open inside of a refined mesh. Between cells with gaps nothing is. */
+  private open(entry: Entry, mask: Uint8Array | null, planes: Plane[]): void {
+    this.object.remove(entry.layer.object);
+    entry.layer.dispose();
+    entry.layer = insideLayer(this.inside!.open(mask, planes));
+    this.add('inside', entry);
   }
 
   /** Contributions belong to one of two layers; D̄-surfaces show both, or one kind. */
-  private restrict(id: LayerId, mask: Uint8Array | null, count: number, state: ViewState): Uint8Array | null {
+  private restrict(
+    id: SceneLayerId,
+    mask: Uint8Array | null,
+    count: number,
+    state: ViewState,
+  ): Uint8Array | null {
     const { soft } = this.model.display.contributions;
     const wanted =
       id === 'hard'
@@ -244,7 +279,7 @@ export class ModelScene {
     for (const [id, { layer }] of this.entries) this.mark(id, layer);
   }
 
-  private mark(id: LayerId, layer: Layer): void {
+  private mark(id: SceneLayerId, layer: Layer): void {
     const { related, selection } = this;
     // An edge of several blocks has one element only, by which it would be lit or not.
     if (!related || !selection || id === 'crossings' || id === 'outline') {
@@ -252,13 +287,11 @@ export class ModelScene {
       return;
     }
     const set = related[layer.kind];
-    layer.mark((id) =>
-      layer.kind === selection.kind && id === selection.id
-        ? flag.selected
-        : set.has(id)
-          ? flag.related
-          : flag.none,
-    );
+    layer.mark((k) => {
+      const id = layer.nameOf(k);
+      if (layer.kind === selection.kind && id === selection.id) return flag.selected;
+      return set.has(id) ? flag.related : flag.none;
+    });
   }
 
   private isolate(entity: Entity | null): void {
@@ -267,20 +300,27 @@ export class ModelScene {
     this.isolated = entity && related ? { entity, related } : null;
   }
 
-  private entry(id: LayerId): Entry | undefined {
+  private entry(id: SceneLayerId): Entry | undefined {
     const known = this.entries.get(id);
     if (known) return known;
-    const made = makeLayer(id, this.model, this.refined);
+    const made =
+      id === 'inside'
+        ? this.inside && { layer: insideLayer(this.inside.open(null, [])), filterable: this.inside }
+        : makeLayer(id, this.model, this.refined);
     if (!made) return undefined;
     const entry = { ...made, shown: '' };
     this.entries.set(id, entry);
-    this.object.add(entry.layer.object);
-    paintLayer(id, entry.layer, this.model, this.refined, this.theme, this.blocks.quality);
-    this.mark(id, entry.layer);
+    this.add(id, entry);
     return entry;
   }
 
-  private drop(id: LayerId): void {
+  private add(id: SceneLayerId, { layer }: Entry): void {
+    this.object.add(layer.object);
+    paintLayer(id, layer, this.model, this.refined, this.theme, this.blocks.quality);
+    this.mark(id, layer);
+  }
+
+  private drop(id: SceneLayerId): void {
     const entry = this.entries.get(id);
     if (!entry) return;
     this.object.remove(entry.layer.object);

@@ -60,7 +60,7 @@ function nearest(model: ModelScene, pixels: Uint8Array): Entity | null {
     const distance = Math.hypot((k % side) - reach, Math.floor(k / side) - reach);
     if (distance >= least) continue;
     least = distance;
-    best = { kind: layer.kind, id: a! * 65536 + b! * 256 + c! - 1 };
+    best = { kind: layer.kind, id: layer.nameOf(a! * 65536 + b! * 256 + c! - 1) };
   }
   return best;
 }

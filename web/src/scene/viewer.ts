@@ -174,7 +174,8 @@ export class Viewer {
   highlight(entity: Entity | null): void {
     let changed = false;
     for (const { id, layer } of this.model?.visible() ?? []) {
-      const hover = entity && layer.kind === entity.kind && id !== 'crossings' ? entity.id : -1;
+      const hover =
+        entity && layer.kind === entity.kind && id !== 'crossings' ? layer.numberOf(entity.id) : -1;
       changed ||= layer.uniforms.hover.value !== hover;
       layer.uniforms.hover.value = hover;
     }
