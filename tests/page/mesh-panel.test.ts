@@ -46,8 +46,9 @@ describe('D̄-surfaces', () => {
     expect(selection?.kind).toBe('surface');
     expect(await page.locator('.sheet-name').first().getAttribute('aria-pressed')).toBe('true');
     const lit = await page.evaluate(() => {
-      const scene = dualblock.stage.scene as unknown as { related: Record<string, Set<number>> | null };
-      return scene.related?.['element']?.size ?? 0;
+      const scene = dualblock.stage.scene!;
+      const { related } = scene as unknown as { related: { element: { has: (id: number) => boolean } } };
+      return [...scene.refinement!.block.keys()].filter((e) => related.element.has(e)).length;
     });
     expect(lit).toBe(4 * 27);
     expectNoProblems(opened);
