@@ -174,7 +174,7 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
   m.set("quality", toJs<double>(r.finalMesh->quality));
   m.set("extracted", toJs<Index>(r.finalMesh->extracted));
   m.set("inserted", toJs<Index>(r.finalMesh->inserted));
-  const BoundaryFaces<N> boundary = boundaryOf(blocks);
+  const BoundaryFaces<N> boundary = boundaryOf(blocks, patchOfSurface(r.mesh));
   m.set("boundaryFaces", toJs<Index>(boundary.faces));
   m.set("boundaryFacet", toJs<Index>(boundary.facet));
   return m;
@@ -278,7 +278,8 @@ Result<PipelineOptions> readOptions(const val &settings) {
     if (!(shares[k] > 0 && shares[k] < 1))
       return Error{
           ErrorCode::badOption, "The share of an inserted layer is a number over 0 and under 1.", {}};
-    insert.push_back({facets[k], shares[k]});
+    const bool isAnother = facets[k] < 0; // ~facet: of the same entry as the one before
+    insert.push_back({isAnother ? ~facets[k] : facets[k], shares[k], isAnother});
   }
   PipelineOptions options;
   options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0,

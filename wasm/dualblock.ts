@@ -62,8 +62,10 @@ export class Dualblock {
       shape: Number(objective === 'shape'),
       relax: Number(relax),
       history: Number(history),
-      insertFacets: Int32Array.from(insert, ({ facet }) => facet),
-      insertShares: Float64Array.from(insert, ({ share }) => share),
+      insertFacets: Int32Array.from(
+        insert.flatMap(({ facet }) => [facet].flat().map((f, k) => (k > 0 ? ~f : f))),
+      ),
+      insertShares: Float64Array.from(insert.flatMap(({ facet, share }) => [facet].flat().map(() => share))),
     };
     const answer = this.session.run({ ...wanted, ...raw }, progress);
     if (!answer.ok) return raise(answer.error, answer.given);

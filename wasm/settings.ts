@@ -27,9 +27,9 @@ export interface Settings {
   extract: readonly number[];
   /**
    * Facets of the input along whose sides a D̄-surface is inserted, at last, and the share of the edges there that the new
-   * layer gets, over 0 and under 1.
+   * layer gets, over 0 and under 1. Of several facets in one entry, each side gets one, however many of them it has.
    */
-  insert: readonly { facet: number; share: number }[];
+  insert: readonly { facet: number | readonly number[]; share: number }[];
   /** Move nodes to where blocks have a better shape. */
   relax: boolean;
   /** Keep where the nodes were after every round of that, for as many as 5,000 of them. */

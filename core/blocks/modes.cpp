@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "base/sort.h"
 #include "blocks/coarsen.h"
 #include "blocks/insert.h"
 #include "blocks/relax.h"
+#include "blocks/skeleton.h"
 #include "geometry/jacobian.h"
 
 namespace dualblock {
@@ -92,9 +92,14 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   }
   if (!options.insert.empty()) {
     const BentShape<N> shape(bentFacetsOf(layered.mesh, layered.features, layered.featureNodes));
-    for (const auto &[facet, share] : options.insert) {
+    std::vector<Index> sides; // of facets that go together
+    for (const auto &[facet, share, isAnother] : options.insert) {
       const bool exists = facet >= 0 && at(facet) < facetOfGiven.size() && facetOfGiven[at(facet)] != kNone;
       if (!exists) return noInsertion(facet, "it does not exist");
+      const Index side = patchOf(patchOfSurface(layered.mesh), facetOfGiven[at(facet)]);
+      if (!isAnother) sides.clear();
+      if (std::find(sides.begin(), sides.end(), side) != sides.end()) continue;
+      sides.push_back(side);
       Insertion<N> next = insertAlong(layered.mesh, shape, blocks, facetOfGiven[at(facet)], share);
       if (!next.why.empty()) return noInsertion(facet, next.why);
       Certificate c = certified(next.blocks);
@@ -108,38 +113,24 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   return result;
 }
 
-template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks) {
-  using Nodes = std::array<Index, 1 << (N - 1)>;
-  struct Face {
-    Nodes key, cycle;
-    Index order, tag;
+template <int N>
+BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface) {
+  const Skeleton<N> skeleton = skeletonOf(blocks, patchOfSurface);
+  const auto forFaces = [&](auto visit) {
+    for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+      for (int f = 0; f < 2 * N; ++f) visit(b, f, at(sharedFace(skeleton, b, f)));
   };
-  std::vector<Face> faces;
-  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-    for (int f = 0; f < 2 * N; ++f) {
-      Face face{{}, {}, toIndex(2 * N * b) + f, blocks.tags[b][at(f)]};
-      if (face.tag == kNone) continue; // inside the domain
-      for (std::size_t k = 0; k < face.cycle.size(); ++k)
-        face.cycle[k] = blocks.blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
-      face.key = face.cycle;
-      sortItems(face.key);
-      faces.push_back(face);
-    }
-  sortByIndex(
-      faces, blocks.positions.size(), [](const Face &f) { return f.key[0]; },
-      [](const Face &a, const Face &b) { return a.key < b.key; });
-  std::vector<Face> outer; // interfaces have a face of the same nodes on their other side
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool before = f > 0 && faces[f - 1].key == faces[f].key;
-    const bool after = f + 1 < faces.size() && faces[f + 1].key == faces[f].key;
-    if (!before && !after) outer.push_back(faces[f]);
-  }
-  sortItems(outer, [](const Face &a, const Face &b) { return a.order < b.order; });
+  std::vector<Index> uses(skeleton.edges.size() + skeleton.faces.size(),
+                          0); // inside the domain there are two
+  forFaces([&](std::size_t, int, std::size_t face) { ++uses[face]; });
   BoundaryFaces<N> result;
-  for (const Face &face : outer) {
-    result.faces.push_back(face.cycle);
-    result.facet.push_back(FaceTag::surface(face.tag));
-  }
+  forFaces([&](std::size_t b, int f, std::size_t face) {
+    if (uses[face] > 1) return;
+    auto &cycle = result.faces.emplace_back();
+    for (std::size_t k = 0; k < cycle.size(); ++k)
+      cycle[k] = blocks.blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
+    result.facet.push_back(FaceTag::surface(blocks.tags[b][at(f)]));
+  });
   return result;
 }
 
@@ -147,7 +138,7 @@ template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certifi
                                             const std::vector<Index> &);
 template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &, const ModeOptions &,
                                             const std::vector<Index> &);
-template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &);
-template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &);
+template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &, const std::vector<Index> &);
+template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &, const std::vector<Index> &);
 
 } // namespace dualblock

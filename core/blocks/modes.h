@@ -16,6 +16,8 @@ struct ModeOptions {
   struct Insert {
     Index facet;  // of the domain as given
     double share; // see insertAlong
+    /// Goes with the one before: facets of one name, whose sides get one each, however many facets they have.
+    bool isAnother = false;
   };
   std::vector<Insert> insert; // along the sides of these facets, at last
 };
@@ -41,9 +43,10 @@ extern template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const 
                                                    const ModeOptions &, const std::vector<Index> &);
 
 /// The faces of a block mesh that belong to one block only, and the facets that they lie on.
-template <int N> BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks);
+template <int N>
+BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface);
 
-extern template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &);
-extern template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &);
+extern template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &, const std::vector<Index> &);
+extern template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &, const std::vector<Index> &);
 
 } // namespace dualblock

@@ -31,6 +31,12 @@ template <int N> struct Skeleton {
   std::vector<Index> patchOfFace;                // that it lies on, or kNone
 };
 
+/// Face f of a block, as in BlockMesh::tags, among the faces of its mesh; 2D: among its edges.
+template <int N> Index sharedFace(const Skeleton<N> &skeleton, std::size_t block, int f) {
+  if constexpr (N == 3) return skeleton.facesOf[block][at(f)];
+  else return skeleton.edgesOf[block][edgeAt<2>(1 - f / 2, f % 2 ? 3U : 0U)];
+}
+
 /// Surface::patch of each surface of the reference mesh.
 template <int N> std::vector<Index> patchOfSurface(const ReferenceMesh<N> &mesh) {
   std::vector<Index> patches;

@@ -1,12 +1,49 @@
 #include "refinement/refine_blocks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/deadline.h"
 #include "refinement/node_placer.h"
 
 namespace dualblock {
 namespace {
+
+/// The blocks' edges tell the size of their elements where these are straight and even; bent ones are longer.
+constexpr int kSizeRounds = 5;
+
+/// Asks for more intervals where elements are longer than the size that was asked for. Whether it did; not
+/// where intervals were given, or graded: a grading's largest element keeps its share of an edge, however
+/// many there are.
+template <int N>
+bool divideFurther(const BlockMesh<N> &blocks, const RefinedMesh<N> &mesh, const RefineOptions &options,
+                   RefineOptions &asked) {
+  if (!(options.size > 0)) return false;
+  std::vector<double> longest(mesh.intervals.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (int a = 0; a < N; ++a) {
+      double &length = longest[at(blocks.surfaces[at(mesh.block[e])][at(a)])];
+      for (unsigned bits = 0; bits < 1U << N; ++bits) {
+        if (bits >> a & 1U) continue;
+        const Vec<N> &from = mesh.positions[at(mesh.elements[e][cornerAt<N>(bits)])];
+        length = std::max(
+            length, glm::length(mesh.positions[at(mesh.elements[e][cornerAt<N>(bits | 1U << a)])] - from));
+      }
+    }
+  bool any = false;
+  for (std::size_t s = 0; s < longest.size(); ++s) {
+    const double *const p = mesh.places.begin(toIndex(s));
+    const Index n = mesh.intervals[s];
+    const auto isGiven = [&](const std::array<Index, 2> &of) { return of[0] == toIndex(s); };
+    if (n == 0 || longest[s] <= options.size * (1 + 1e-6)) continue;
+    if (std::any_of(options.ofSurface.begin(), options.ofSurface.end(), isGiven)) continue;
+    if (std::abs(p[1] - p[0] - 1.0 / n) > 1e-12) continue; // graded
+    const Index more = std::max(n + 1, static_cast<Index>(std::ceil(n * longest[s] / options.size - 1e-6)));
+    asked.ofSurface.push_back({toIndex(s), more});
+    any = true;
+  }
+  return any;
+}
 
 /// In digits, as long as that says more than powers of ten.
 std::string wholeNumber(double x) {
@@ -31,7 +68,7 @@ public:
         const bool isUp = skeleton.edges[at(edge)][0] == blocks.blocks[at(b)][0];
         reversed[at(a)] = spacing.isReversed[at(edge)] == isUp;
       }
-      for (int f = 0; f < 2 * N; ++f) ++blocksAtFace_[at(sharedFace(b, f))];
+      for (int f = 0; f < 2 * N; ++f) ++blocksAtFace_[at(sharedFace(skeleton, at(b), f))];
     }
   }
 
@@ -67,12 +104,6 @@ public:
   }
 
 private:
-  /// Face f of a block among the skeleton's faces (2D: edges).
-  Index sharedFace(Index b, int f) const {
-    if constexpr (N == 3) return skeleton_.facesOf[at(b)][at(f)];
-    else return skeleton_.edgesOf[at(b)][edgeAt<2>(1 - f / 2, f % 2 ? 3U : 0U)];
-  }
-
   void addElements(Index b) {
     grid_.forCells(0, [&](std::size_t place, const std::array<Index, N> &) {
       result_.elements.push_back(grid_.elementAt(place));
@@ -109,7 +140,7 @@ private:
     for (int f = 0; f < 2 * N; ++f) {
       const Index tag = blocks_.tags[at(b)][at(f)];
       if (tag == kNone) continue;
-      Index &blocks = blocksAtFace_[at(sharedFace(b, f))];
+      Index &blocks = blocksAtFace_[at(sharedFace(skeleton_, at(b), f))];
       if (blocks == kNone) continue;
       const bool isOuter = blocks == 1;
       BoundaryFaces<N> &to = isOuter ? result_.boundary : result_.interfaces;
@@ -144,21 +175,32 @@ Result<RefinedMesh<N>> refineBlocks(const BlockMesh<N> &blocks, const std::vecto
                                     const BentShape<N> &shape, const RefineOptions &options,
                                     const std::function<void(double)> &progress) {
   const Skeleton<N> skeleton = skeletonOf(blocks, patchOfSurface);
-  const auto spacing = spacingOf(blocks, skeleton, patchOfSurface, options);
-  if (!spacing.ok()) return spacing.error();
-  double elements = 0;
-  for (const auto &surfaces : blocks.surfaces) {
-    double own = 1;
-    for (const Index s : surfaces) own *= spacing.value().intervals[at(s)];
-    elements += own;
+  RefineOptions asked = options;
+  for (int round = 1;; ++round) {
+    const auto spacing = spacingOf(blocks, skeleton, patchOfSurface, asked);
+    if (!spacing.ok()) return spacing.error();
+    double elements = 0;
+    for (const auto &surfaces : blocks.surfaces) {
+      double own = 1;
+      for (const Index s : surfaces) own *= spacing.value().intervals[at(s)];
+      elements += own;
+    }
+    if (elements > options.elementLimit)
+      return Error{ErrorCode::badOption,
+                   "The refined mesh would have " + wholeNumber(elements) + " elements, and " +
+                       wholeNumber(options.elementLimit) +
+                       " are the most: give fewer intervals, or a larger size.",
+                   {}};
+    RefinedMesh<N> mesh = Refiner<N>(blocks, skeleton, shape, spacing.value()).refine(progress);
+    const auto bad =
+        std::count_if(mesh.quality.begin(), mesh.quality.end(), [](double q) { return !(q > 0); });
+    if (bad > 0)
+      return Error{ErrorCode::badOption,
+                   "The refined mesh would have " + std::to_string(bad) +
+                       " elements that are inverted or flat: give fewer intervals, or grade them less.",
+                   {}};
+    if (round == kSizeRounds || !divideFurther(blocks, mesh, options, asked)) return mesh;
   }
-  if (elements > options.elementLimit)
-    return Error{ErrorCode::badOption,
-                 "The refined mesh would have " + wholeNumber(elements) + " elements, and " +
-                     wholeNumber(options.elementLimit) +
-                     " are the most: give fewer intervals, or a larger size.",
-                 {}};
-  return Refiner<N>(blocks, skeleton, shape, spacing.value()).refine(progress);
 }
 
 template Result<RefinedMesh<2>> refineBlocks(const BlockMesh<2> &, const std::vector<Index> &,

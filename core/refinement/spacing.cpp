@@ -9,6 +9,7 @@ namespace dualblock {
 namespace {
 
 constexpr Index kMostIntervals = 1000000; // of an edge
+constexpr double kLeastInterval = 1e-7;   // of an edge: less, and rounding decides on the shape of elements
 
 Error refused(std::string what, std::vector<EntityRef> entities = {}) {
   return {ErrorCode::badOption, std::move(what), std::move(entities)};
@@ -22,14 +23,19 @@ Error badCount(Index intervals) {
 /// Growth from the low and from the high end of a surface's edges; 1 where they are even.
 using Growth = std::array<double, 2>;
 
-void appendPlaces(Index intervals, const Growth &growth, Lists<double> &places) {
+/// Returns the share of an edge that its shortest interval has.
+double appendPlaces(Index intervals, const Growth &growth, Lists<double> &places) {
   const auto lengthOf = [&](Index k) { // of interval k: grown from each graded end, whichever is nearer
     const double low = std::pow(growth[0], k);
     const double high = std::pow(growth[1], intervals - 1 - k);
     return growth[0] > 1 && growth[1] > 1 ? std::min(low, high) : low * high;
   };
   double total = 0;
-  for (Index k = 0; k < intervals; ++k) total += lengthOf(k);
+  double least = 1;
+  for (Index k = 0; k < intervals; ++k) {
+    total += lengthOf(k);
+    least = std::min(least, lengthOf(k));
+  }
   const bool isEven = growth[0] == 1 && growth[1] == 1;
   double sum = 0;
   for (Index k = 0; k < intervals; ++k) {
@@ -38,6 +44,7 @@ void appendPlaces(Index intervals, const Growth &growth, Lists<double> &places) 
   }
   if (intervals > 0) places.items.push_back(1);
   places.closeList();
+  return least / total;
 }
 
 } // namespace
@@ -92,7 +99,13 @@ Result<Spacing> spacingOf(const BlockMesh<N> &blocks, const Skeleton<N> &skeleto
   for (std::size_t s = 0; s < surfaces; ++s) {
     Growth &growth = growths[s];
     if (directions.isOneSided[s]) growth.fill(std::max(growth[0], growth[1]));
-    appendPlaces(spacing.intervals[s], growth, spacing.places);
+    const double least = appendPlaces(spacing.intervals[s], growth, spacing.places);
+    if (growth != Growth{1, 1} && least < kLeastInterval)
+      return refused("Elements that grow by the factor " + formatNumber(std::max(growth[0], growth[1])) +
+                         " over " + std::to_string(spacing.intervals[s]) + " intervals would begin with " +
+                         formatNumber(least) + " of an edge, and " + formatNumber(kLeastInterval) +
+                         " is the least: give fewer intervals, or a smaller factor.",
+                     {{"surface", toIndex(s)}});
   }
   spacing.isReversed = directions.isReversed;
   return spacing;

@@ -15,7 +15,7 @@ struct Grading {
 
 struct RefineOptions {
   Index intervals = 1; // on every edge
-  double size = 0;     // over 0: as many intervals as keep them no longer than this, instead
+  double size = 0;     // over 0: as many intervals as keep elements no longer than this, instead
   std::vector<std::array<Index, 2>> ofSurface; // D-bar-surface, and the intervals of the edges it crosses
   std::vector<Grading> gradings;
   double elementLimit = 2e7; // more are refused

@@ -146,7 +146,7 @@ TEST(Extract, NamedOnes) {
 // Against the writer of the primal's boundary, on a layered mesh.
 TEST(BlockMesh, BoundaryIsThePrimals) {
   const auto r = run(loadExample<3>("box_on_box"));
-  const auto faces = boundaryOf(layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal));
+  const auto faces = boundaryOf(layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal), patchOfSurface(r.mesh));
   const auto wanted = boundaryFaces(r.mesh, r.parts, r.primal);
   EXPECT_EQ(faces.facet, wanted.facet);
   EXPECT_EQ(faces.faces, wanted.faces);

@@ -89,6 +89,26 @@ TEST(Insert, StaysOnBentSides) {
   }
 }
 
+// Facets of one name: walls of 24 facets, each one side, and flat ones.
+TEST(Insert, OncePerSideOfFacetsThatGoTogether) {
+  const Domain<3> domain = shaft(24);
+  std::vector<ModeOptions::Insert> all;
+  for (Index f = 0; f < toIndex(domain.facets.size()); ++f) all.push_back({f, 0.3, f > 0});
+  const auto r = run(domain, inserting(all, Mode::layered));
+  EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  std::size_t one = 0; // by one facet of each side
+  std::vector<Index> sides;
+  const auto plain = run(domain);
+  for (Index f = 0; f < toIndex(domain.facets.size()); ++f) {
+    const Index side = patchOf(patchOfSurface(plain.mesh), plain.domain.facetOfGiven[at(f)]);
+    if (std::find(sides.begin(), sides.end(), side) != sides.end()) continue;
+    sides.push_back(side);
+    one += run(domain, inserting({{f, 0.3}}, Mode::layered)).finalMesh->inserted.size();
+  }
+  EXPECT_EQ(sides.size(), 5U); // two walls, two ends, the step
+  EXPECT_EQ(r.finalMesh->inserted.size(), one);
+}
+
 TEST(Insert, RefusesWithReasons) {
   const Domain<3> brick = loadExample<3>("tapered_brick");
   for (const Index facet : {-1, 6, 1000}) {

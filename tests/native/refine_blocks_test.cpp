@@ -180,6 +180,31 @@ TEST(RefineCounts, SizeKeepsEveryEdgeBelowIt) {
   EXPECT_TRUE(certificateOf(r, mesh).valid);
 }
 
+// Chords are shorter than what they span: the elements count.
+TEST(RefineCounts, SizeKeepsElementsOfBentSidesBelowIt) {
+  for (const Domain<3> &domain : {shaft(24), torus(24, 12), ball(24)})
+    for (const double size : {0.4, 0.15}) {
+      SCOPED_TRACE(domain.name);
+      const auto r = run(domain, coarsest());
+      RefineOptions options;
+      options.size = size;
+      options.ofSurface = {{blocksOf(r).surfaces[0][0], 2}}; // a count that is given stays
+      const auto mesh = refined(r, options);
+      double longest = 0;
+      for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        for (int a = 0; a < 3; ++a) {
+          if (blocksOf(r).surfaces[at(mesh.block[e])][at(a)] == options.ofSurface[0][0]) continue;
+          for (unsigned bits = 0; bits < 8; ++bits)
+            longest = std::max(
+                longest, glm::length(mesh.positions[at(mesh.elements[e][cornerAt<3>(bits)])] -
+                                     mesh.positions[at(mesh.elements[e][cornerAt<3>(bits | 1U << a)])]));
+        }
+      EXPECT_LE(longest, size * (1 + 1e-6));
+      EXPECT_GT(longest, size / 2);
+      EXPECT_EQ(mesh.intervals[at(options.ofSurface[0][0])], 2);
+    }
+}
+
 TEST(RefineCounts, InterfacesOfAssembliesAreListedOnce) {
   const auto r = run(randomSolid(4, 2));
   const auto coarse = refined(r, intervals(1));
@@ -274,6 +299,11 @@ TEST(RefineErrors, NameWhatIsWrong) {
   EXPECT_NE(error(options).find("facet 77"), std::string::npos);
   options.gradings = {{0, 0.5}};
   EXPECT_NE(error(options).find("0.5"), std::string::npos);
+  options.gradings = {{0, 2}};
+  options.intervals = 60;
+  EXPECT_NE(error(options).find("over 60 intervals would begin with 8.67362e-19"), std::string::npos);
+  options.intervals = 20;
+  EXPECT_TRUE(refineResult(r, options).ok());
   options.gradings.clear();
   options.size = 1e-300;
   EXPECT_NE(error(options).find("larger size"), std::string::npos);

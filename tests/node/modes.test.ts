@@ -7,7 +7,7 @@ import { meshReader } from '../../wasm/check/read-mesh.ts';
 import type { Dualblock, Settings } from '../../wasm/dualblock.ts';
 import { makeReport } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
-import { curved, errorOf, exampleBytes, examples, runExample, startCore } from './support/core.ts';
+import { curved, errorOf, exampleBytes, examples, runExample, runFile, startCore } from './support/core.ts';
 import { meshWriter } from './support/writers.ts';
 
 let core: Dualblock;
@@ -37,6 +37,36 @@ describe('inserted D̄-surfaces', () => {
         expect(result.mesh!.quality.length).toBeGreaterThan((before.mesh ?? before.primal).quality.length);
         expect(verdictsOn(name, 'vtk', settings).failures).toEqual([]);
       }
+  });
+
+  it('of a name are one along each of its sides, however many facets they have', () => {
+    // A cube whose top is two triangles, merged into one facet.
+    const cube = {
+      format: 'dualblock-domain/1',
+      dimension: 3,
+      vertices: [0, 1].flatMap((z) => [
+        [0, 0, z],
+        [1, 0, z],
+        [1, 1, z],
+        [0, 1, z],
+      ]),
+      facets: [
+        [0, 3, 2, 1],
+        [4, 5, 6],
+        [4, 6, 7],
+        ...[0, 1, 2, 3].map((k) => [k, (k + 1) % 4, 4 + ((k + 1) % 4), 4 + k]),
+      ].map((loop) => ({ loops: [loop] })),
+    };
+    const bytes = Buffer.from(JSON.stringify(cube));
+    const heights = (facet: number | number[], share = 0.25): number[] => {
+      const { mesh } = runFile(core, 'cube.json', bytes, { mode: 'coarsest', insert: [{ facet, share }] });
+      return [...new Set(mesh!.positions.filter((_, k) => k % 3 === 2))].sort();
+    };
+    expect(heights([1, 2])).toEqual([0, 0.75, 1]);
+    expect(heights([1, 2, 0], 0.5)).toEqual([0, 0.25, 0.5, 1]); // the bottom as well, of what is left
+    const twice = { facet: 1, share: 0.5 };
+    const { mesh } = runFile(core, 'cube.json', bytes, { mode: 'coarsest', insert: [twice, twice] });
+    expect(mesh!.quality.length).toBe(3); // said twice, done twice
   });
 
   it('are refused where they cannot be', () => {

@@ -290,20 +290,28 @@ describe.runIf(hasProgram('blockMesh', 'openfoam'))('OpenFOAM', () => {
   );
 
   // blockMesh divides edges and fills blocks by its own code: its points are ours, one by one.
-  it.each(['tapered_brick', 'house', 'icosahedron', 'two_holes_2d', 'box_on_box'])(
-    'puts the points of %s where refinement does, graded',
-    (name) => {
-      const result = runExample(core, name);
+  it.each([
+    ...['tapered_brick', 'house', 'icosahedron', 'two_holes_2d', 'box_on_box'].map(
+      (name) => [name, 'layered', 3] as const,
+    ),
+    ...[2, 3, 6, 7].map((intervals) => ['tapered_brick', 'coarsest', intervals] as const),
+  ])(
+    'puts the points of %s, %s, where refinement does, graded over %d intervals',
+    (name, mode, intervals) => {
+      const result = runExample(core, name, { mode });
       const { dimension } = result;
       const refined = refiner.refine(refineInput(result), {
-        intervals: 3,
-        ofSurface: [{ surface: 1, intervals: 4 }],
-        gradings: [
-          { facet: 0, growth: 1.4 },
-          { facet: 2, growth: 2 },
-        ],
+        intervals,
+        ofSurface: mode === 'layered' ? [{ surface: 1, intervals: 4 }] : [],
+        gradings:
+          mode === 'layered'
+            ? [
+                { facet: 0, growth: 1.4 },
+                { facet: 2, growth: 2 },
+              ]
+            : [1.5, 3, 1.1, 2, 4, 1].map((growth, facet) => ({ facet, growth })), // from both ends
       });
-      const folderOfCase = join(folder, `${name}-graded`);
+      const folderOfCase = join(folder, `${name}-${mode}-${intervals}`);
       mkdirSync(join(folderOfCase, 'system'), { recursive: true });
       for (const [file, text] of Object.entries(dictionaries))
         writeFileSync(join(folderOfCase, 'system', file), header(file) + text);

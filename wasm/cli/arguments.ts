@@ -238,6 +238,9 @@ function meshSettingsOf(given: Map<string, string[]>): GivenSettings {
     settings.objective = known;
   }
   const extract = given.get('extract');
+  const again = extract?.find((id, k) => extract.indexOf(id) < k);
+  if (again !== undefined)
+    throw new UsageError(`--extract ${again} is given twice`, 'a D̄-surface is extracted once');
   if (extract)
     settings.extract = extract.map((id) => {
       if (/^\d{1,9}$/.test(id)) return Number(id);

@@ -1,5 +1,5 @@
 // What the command line reads and writes.
-import { access, constants, type FileHandle, open, readFile } from 'node:fs/promises';
+import { access, constants, type FileHandle, open, readFile, rm } from 'node:fs/promises';
 import { dirname } from 'node:path';
 import { DualblockError } from '../io/errors.ts';
 import { formatOf } from '../settings.ts';
@@ -70,6 +70,7 @@ export async function save(path: string, pieces: Pieces): Promise<void> {
   try {
     for (; !step.done; step = await steps.next()) await file.writeFile(step.value);
   } catch (error) {
+    if ((await file.stat()).isFile()) await rm(path, { force: true }); // half a mesh is none
     const { code } = error as NodeJS.ErrnoException;
     if (code === undefined) throw error;
     throw new UsageError(`${path} could not be written to its end (${code})`, 'make room for it');

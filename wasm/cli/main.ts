@@ -44,9 +44,10 @@ async function run(command: Run): Promise<number> {
   try {
     const { name, bytes } = await readSource(command.source);
     core.load(name, bytes);
-    settings.insert = (command.settings.insert ?? []).flatMap(({ side, share }) =>
-      facetsOf(side, core.facetNames).map((facet) => ({ facet, share })),
-    );
+    settings.insert = (command.settings.insert ?? []).map(({ side, share }) => ({
+      facet: facetsOf(side, core.facetNames),
+      share,
+    }));
     const result = core.run(settings, progress.update);
     const refined = await refine(result, command.refinement, core.facetNames, progress.update);
     progress.end();

@@ -17,8 +17,11 @@ export function refinementOf(given: Map<string, string[]>): GivenRefinement | nu
   const everywhere: string[] = [];
   for (const value of refine) {
     const [, surface, count] = /^(?:(\d{1,9})=)?([1-9]\d{0,8})$/.exec(value) ?? [];
-    if (count === undefined) throw badValue('refine', value, 'N, or ID=N for a D̄-surface, N from 1 on');
+    if (count === undefined)
+      throw badValue('refine', value, 'N, or ID=N for a D̄-surface, N from 1 to 1000000');
     if (surface === undefined) everywhere.push(value);
+    else if (refinement.ofSurface.some((of) => of.surface === Number(surface)))
+      throw new UsageError(`--refine ${surface}=N is given twice`, 'give one N for a D̄-surface');
     else refinement.ofSurface.push({ surface: Number(surface), intervals: Number(count) });
   }
   if (everywhere.length > 1)
@@ -35,11 +38,16 @@ export function refinementOf(given: Map<string, string[]>): GivenRefinement | nu
     const { side, number: growth } = parts;
     const wanted = 'a growth from one element to the next over 1 and up to 1000';
     const factor = between('grade', growth, 1000.0000001, wanted);
-    if (factor <= 1) throw badValue('grade', growth, wanted);
+    if (factor <= 1) throw badValue('grade', value, wanted);
+    if (refinement.gradings.some((of) => of.side === side))
+      throw new UsageError(`--grade ${side}=G is given twice`, 'give one growth for a side');
     refinement.gradings.push({ side, growth: factor });
   }
   if (refinement.gradings.length > 0 && !isRefined(refinement as unknown as Refinement))
-    throw new UsageError('--grade grades no element', 'divide edges as well: --refine N or --size H');
+    throw new UsageError(
+      '--grade grades no element',
+      'divide edges as well: --refine N, with N over 1, or --size H',
+    );
   return refinement;
 }
 

@@ -4,7 +4,7 @@ import { badValue, between } from './usage.ts';
 
 export interface GivenInsertion {
   side: string;
-  /** Over 0 and under 1. */
+  /** From 0.000001 to 0.999999. */
   share: number;
 }
 
@@ -14,11 +14,18 @@ export function sideAndNumber(value: string): { side: string; number: string } |
   return side === undefined || number === undefined ? undefined : { side, number };
 }
 
+/** Less is too thin to be told from nothing. */
+const kLeastShare = 0.000001;
+const kShares = 'a share from 0.000001 to 0.999999';
+
 /** Throws a UsageError. */
 export function insertionOf(value: string): GivenInsertion {
   const parts = sideAndNumber(value);
   if (!parts) throw badValue('insert', value, 'a facet, by number or name, and a share: FACET=0.25');
-  return { side: parts.side, share: between('insert', parts.number, 1, 'a share over 0 and under 1') };
+  const { side, number } = parts;
+  const share = between('insert', number, 1, kShares);
+  if (share < kLeastShare || share > 1 - kLeastShare) throw badValue('insert', number, kShares);
+  return { side, share };
 }
 
 /**

@@ -38,7 +38,10 @@ export function* writeAbaqus(mesh: BlockMesh): Chunks {
     yield* set(`*ELSET, ELSET=${regionWords[i]}`, regions.get(region)!);
 
   const groups = facetGroups(mesh);
-  const words = uniqueWords(groups.map(({ name }) => name)).map((word) => word.toUpperCase());
+  const words = uniqueWords(
+    groups.map(({ name }) => name),
+    { taken: ['NODES'] },
+  ).map((word) => word.toUpperCase());
   const owners = ownersOf(mesh, groups);
   for (const [i, { faces }] of groups.entries()) {
     const nodes = [...new Set(faces.flat())].sort((a, b) => a - b);

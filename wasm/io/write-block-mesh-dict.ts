@@ -82,23 +82,23 @@ function blocksOf(mesh: BlockMesh): string[] {
 }
 
 /**
- * How lengths grow along an edge: the last interval's over the first's, where they grow in one direction only; else the
- * same for both halves, with the part of the edge and the intervals that each has.
+ * How lengths grow along an edge: the last interval's over the first's, where they grow by one factor; else the same for
+ * each part where they do, with the share of the edge and the intervals that it has.
  */
 function gradingOf({ placeOffsets, places }: Spacing, surface: number, isReversed: boolean): string {
   const own = places.subarray(placeOffsets[surface], placeOffsets[surface + 1]);
   const lengths = Array.from(own.subarray(1), (place, k) => place - own[k]!);
   if (isReversed) lengths.reverse();
-  const largest = lengths.reduce((best, length, k) => (length > lengths[best]! * (1 + 1e-9) ? k : best), 0);
-  const ratio = (from: number, to: number): number => round(lengths[to]! / lengths[from]!);
-  const last = lengths.length - 1;
-  if (largest === 0 || largest === last) return String(ratio(0, last));
-  const near = lengths.slice(0, largest + 1).reduce((sum, length) => sum + length, 0);
-  const sections = [
-    [round(near), largest + 1, ratio(0, largest)],
-    [round(1 - near), last - largest, ratio(largest + 1, last)],
-  ];
-  return `(${sections.map(row).join(' ')})`;
+  const sections: number[][] = [];
+  for (let from = 0; from < lengths.length; ) {
+    const factor = (k: number): number => lengths[k]! / lengths[k - 1]!;
+    let to = from + 1;
+    while (to < lengths.length && Math.abs(factor(to) / factor(from + 1) - 1) < 1e-6) to++;
+    const length = lengths.slice(from, to).reduce((sum, own) => sum + own, 0);
+    sections.push([round(length), to - from, round(lengths[to - 1]! / lengths[from]!)]);
+    from = to;
+  }
+  return sections.length > 1 ? `(${sections.map(row).join(' ')})` : String(sections[0]?.[2] ?? 1);
 }
 
 /** Without the last digits, which are rounding. */
