@@ -84,7 +84,11 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
     BlockMesh<N> relaxed = blocks;
     RelaxOptions thorough;
     thorough.sweeps = 60; // few blocks are left
-    relax(freedomOf(relaxed), relaxed, thorough);
+    const Freedom<N> freedom = freedomOf(relaxed);
+    relax(freedom, relaxed, thorough);
+    thorough.precision = 1e-8;
+    thorough.dip = 0.9;
+    relax(freedom, relaxed, thorough);
     if (Certificate c = certified(relaxed); c.valid) {
       blocks = std::move(relaxed);
       result.certificate = std::move(c);

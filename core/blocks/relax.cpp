@@ -69,7 +69,7 @@ public:
 
   /// One move of a node down the distortion around it, while the scaled Jacobian there stays over `floor`, or
   /// what it was.
-  bool descend(Index node, double floor) {
+  bool descend(Index node, double floor, double precision) {
     gather(node);
     Vec<N> &x = mesh_.positions[at(node)];
     const Vec<N> start = x;
@@ -97,10 +97,11 @@ public:
       const double length = bend > 0 ? -slope / bend : (slope > 0 ? -limit : limit);
       step += std::clamp(length, -limit, limit) * d;
     }
-    if (glm::length(step) < 1e-3 * scale) return false;
+    if (glm::length(step) < precision * scale) return false;
     for (int halving = 0; halving < 6; ++halving, step *= 0.5) {
       x = freedom_.project(node, start + step);
-      if (distortion() < before * (1 - 1e-4) && smallest() >= least && areValid(node, start)) return true;
+      if (distortion() < before * (1 - 0.1 * precision) && smallest() >= least && areValid(node, start))
+        return true;
     }
     x = start;
     return false;
@@ -267,8 +268,14 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     if (!freedom.isFixed(v) && (isWanted.empty() || isWanted[at(v)])) active.push_back(v);
   // Where a block is inverted, nothing can descend: climb out of that first.
   result.moves += climbWorst(relaxer, active, blocks.positions.size(), options, 0);
-  double floor = kInfinity;
-  for (const Index v : active) floor = std::min(floor, relaxer.smallestAround(v));
+  const auto worst = [&] {
+    double least = kInfinity;
+    for (const Index v : active) least = std::min(least, relaxer.smallestAround(v));
+    return least;
+  };
+  const double before = worst();
+  const std::vector<Vec<N>> start = blocks.positions;
+  const double floor = before > 0 ? options.dip * before : before;
   std::vector<bool> isDue(blocks.positions.size(), true); // something around has moved since it was looked at
   for (; result.sweeps < options.sweeps; ++result.sweeps) {
     checkDeadline();
@@ -276,7 +283,7 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     for (const Index v : active) {
       if (!isDue[at(v)]) continue;
       isDue[at(v)] = false;
-      if (!relaxer.descend(v, floor)) continue;
+      if (!relaxer.descend(v, floor, options.precision)) continue;
       ++moved;
       relaxer.forAround(v, [&](Index w) { isDue[at(w)] = true; });
     }
@@ -285,6 +292,7 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     if (options.onRound) options.onRound();
   }
   result.moves += climbWorst(relaxer, active, blocks.positions.size(), options, kInfinity);
+  if (worst() < before) blocks.positions = start; // it did not come up again
   return result;
 }
 

@@ -66,7 +66,7 @@ Result<Spacing> spacingOf(const BlockMesh<N> &blocks, const Skeleton<N> &skeleto
     }
     const auto &[a, b] = skeleton.edges[e];
     const double wanted =
-        std::ceil(glm::length(blocks.positions[at(b)] - blocks.positions[at(a)]) / options.size - 1e-9);
+        std::ceil(glm::length(blocks.positions[at(b)] - blocks.positions[at(a)]) / options.size - 1e-6);
     if (!(wanted <= kMostIntervals))
       return refused("Elements of the size " + formatNumber(options.size) +
                      " are too many for an edge of the blocks: give a larger size.");

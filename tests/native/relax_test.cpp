@@ -83,6 +83,31 @@ TEST(Relax, KeepsItsHistory) {
   }
 }
 
+// An L whose mesh becomes one of three cubes: of an upright edge's two ends either makes the angles worse
+// where it moves alone.
+TEST(Relax, MovesWhatHasToMoveTogether) {
+  const Domain<3> shape = prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0, 1);
+  const auto r = run(shape);
+  BlockMesh<3> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const Freedom<3> freedom(r.mesh, r.features, r.featureNodes, blocks);
+  for (Vec<3> &x : blocks.positions) // leans: what is on the right of the corner, away from it at the outside
+    if (x.x == 1 && x.y < 1) x.x += 0.25 * (1 - x.y);
+  RelaxOptions options;
+  options.sweeps = 300;
+  relax(freedom, blocks, options);
+  const auto smallest = [&] {
+    double worst = 1;
+    for (const auto &block : blocks.blocks)
+      worst = std::min(worst, scaledJacobian<3>(cornersOf<3>(block, blocks.positions)));
+    return worst;
+  };
+  EXPECT_LT(smallest(), 0.99);
+  options.precision = 1e-8;
+  options.dip = 0.9;
+  relax(freedom, blocks, options);
+  EXPECT_GT(smallest(), 1 - 1e-9);
+}
+
 // Nodes thrown about on a mesh of boxes come back: every angle is right again, and features are where they
 // were.
 TEST(Relax, BoxesComeBack) {
