@@ -20,6 +20,7 @@ namespace {
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;     // then all components fall back
+constexpr double kPoorShape = 0.1;  // scaled Jacobian of a mesh of bent parts below which others are tried
 constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal: fewer blocks win
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
@@ -360,7 +361,10 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   r.mesh = std::move(cut);
   if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
-  if (falls && mayPropose && !wantsShape && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
+  if (mayPropose && !wantsShape) {
+    if (falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
+    if (!falls && figuresOf(r).minScaledJacobian < kPoorShape) propose(Proposals::all);
+  }
   takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};

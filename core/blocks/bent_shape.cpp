@@ -11,7 +11,7 @@ namespace dualblock {
 
 template <int N>
 BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &features,
-                           const std::vector<Vec<N>> &featureNodes) {
+                           const std::vector<Vec<N>> &featureNodes, bool allCurves) {
   BentFacets<N> result;
   if constexpr (N == 3) {
     std::vector<bool> isBent(mesh.surfaces.size(), false);
@@ -31,7 +31,8 @@ BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &feature
       std::array<Index, 2> patch;
       for (std::size_t k = 0; k < 2; ++k)
         patch[k] = mesh.sideKey(features.sides[at(features.curves[c].sides[k])].tag) / 2;
-      if (isBent[at(patch[0])] || isBent[at(patch[1])]) order.emplace_back(sortedPair(patch[0], patch[1]), c);
+      if (allCurves || isBent[at(patch[0])] || isBent[at(patch[1])])
+        order.emplace_back(sortedPair(patch[0], patch[1]), c);
     }
     sortItems(order);
     for (const auto &[patches, c] : order)
@@ -134,8 +135,10 @@ template <int N> Vec<N> BentShape<N>::project(const Index *first, const Index *l
   return last - first == 1 && isBent(*first) ? onSide(*first, x).point : x;
 }
 
-template BentFacets<2> bentFacetsOf(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<Vec<2>> &);
-template BentFacets<3> bentFacetsOf(const ReferenceMesh<3> &, const Parts<3> &, const std::vector<Vec<3>> &);
+template BentFacets<2> bentFacetsOf(const ReferenceMesh<2> &, const Parts<2> &, const std::vector<Vec<2>> &,
+                                    bool);
+template BentFacets<3> bentFacetsOf(const ReferenceMesh<3> &, const Parts<3> &, const std::vector<Vec<3>> &,
+                                    bool);
 template class BentShape<2>;
 template class BentShape<3>;
 

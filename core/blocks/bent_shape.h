@@ -14,10 +14,10 @@ template <int N> struct BentFacets {
   std::vector<std::array<Index, 2>> patchesOfSegment; // ascending; one of them is bent
 };
 
-/// `features`: of the uncut mesh, whose nodes are `featureNodes`.
+/// `features`: of the uncut mesh, whose nodes are `featureNodes`. `allCurves`: those between planes as well.
 template <int N>
 BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &features,
-                           const std::vector<Vec<N>> &featureNodes);
+                           const std::vector<Vec<N>> &featureNodes, bool allCurves = false);
 
 /// The same, arranged for finding what is next to a point.
 template <int N> class BentShape {
@@ -57,9 +57,9 @@ private:
 };
 
 extern template BentFacets<2> bentFacetsOf(const ReferenceMesh<2> &, const Parts<2> &,
-                                           const std::vector<Vec<2>> &);
+                                           const std::vector<Vec<2>> &, bool);
 extern template BentFacets<3> bentFacetsOf(const ReferenceMesh<3> &, const Parts<3> &,
-                                           const std::vector<Vec<3>> &);
+                                           const std::vector<Vec<3>> &, bool);
 extern template class BentShape<2>;
 extern template class BentShape<3>;
 

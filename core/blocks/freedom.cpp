@@ -41,7 +41,7 @@ template <int N>
 Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
                     const std::vector<Vec<N>> &featureNodes, const BlockMesh<N> &blocks, bool holdsBent)
     : patches_(patchesOfNodes(mesh, blocks)), fixed_(blocks.positions.size(), false),
-      normals_(mesh.surfaces.size()), shape_(bentFacetsOf(mesh, features, featureNodes)) {
+      normals_(mesh.surfaces.size()), shape_(bentFacetsOf(mesh, features, featureNodes, true)) {
   for (std::size_t s = 0; s < mesh.surfaces.size(); ++s) normals_[s] = mesh.surfaces[s].plane.normal;
   std::vector<std::array<double, N>> corners;
   for (const Corner &corner : features.corners)
@@ -59,12 +59,14 @@ Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
 template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Vec<N> &x) const {
   if (fixed_[at(node)]) return {};
   const Index *const p = patches_.begin(node);
+  // Of a curve between planes as well: they are fitted to their facets, and where two of them are nearly one,
+  // the line in which they cross may lead away from the domain's own.
+  if (patches_.size(node) == 2)
+    if (const Vec<N> direction = shape_.onCurve(p[0], p[1], x).direction; direction != Vec<N>(0.0))
+      return {direction};
   if (isBent(node)) {
     if (patches_.size(node) == 1) return complement<N>({shape_.onSide(p[0], x).direction});
-    if (patches_.size(node) > 2) return {};
-    const Vec<N> direction = shape_.onCurve(p[0], p[1], x).direction;
-    if (direction == Vec<N>(0.0)) return {}; // no curve: where bent sides touch, it stays
-    return {direction};
+    return {}; // where bent sides touch without a curve, or more than two meet, it stays
   }
   std::vector<Vec<N>> normals; // of an assembly's curve three patches or more may share one line
   for (Index k = 0; k < patches_.size(node); ++k) normals.push_back(normals_[at(p[k])]);
