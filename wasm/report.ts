@@ -210,7 +210,9 @@ export function describe(report: Report): string {
           ' -',
           ' ',
         ),
-    certificate.valid ? '  certified: matching, cells, topology, geometry, features' : '  NOT VALID:',
+    certificate.valid
+      ? `  certified${report.refined?.straightenedBlocks ? ', as blocks' : ''}: matching, cells, topology, geometry, features`
+      : '  NOT VALID:',
     ...certificate.failures.map((f) => `    ${f.check}: ${f.message}`),
   ]
     .filter((line) => line !== '')

@@ -157,6 +157,8 @@ describe('refinement', () => {
     expect(describeReport(report)).not.toContain('straight elements');
     const straightened = makeReport(result, defaultSettings, 0, { ...mesh, straightened: 3 });
     expect(describeReport(straightened)).toContain('3 block(s) keep straight elements');
+    expect(describeReport(straightened)).toContain('certified, as blocks:');
+    expect(describeReport(report)).toContain('certified: ');
   });
 });
 
