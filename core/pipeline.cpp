@@ -363,7 +363,8 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
   if (mayPropose && !wantsShape) {
     if (falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
-    if (!falls && figuresOf(r).minScaledJacobian < kPoorShape) propose(Proposals::all);
+    const bool isPoor = options.mode.relax && figuresOf(r).minScaledJacobian < kPoorShape;
+    if (!falls && isPoor) propose(Proposals::all);
   }
   takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more

@@ -118,6 +118,12 @@ const parts: readonly Part[] = [
     blocks: 32,
     script: 'Box(1)={0,0,0,4,3,2}; Fillet{1}{1:12}{0.5}',
   },
+  {
+    name: 'torus of coarse facets, whose parts by cuts have good angles and poor blocks',
+    turn: 0,
+    blocks: 96,
+    script: 'Torus(1)={0,0,0,2,0.6}; Mesh.CharacteristicLengthMax=0.5;',
+  },
 ];
 
 const folder = useFolder();
