@@ -281,7 +281,7 @@ function peelBy(app: App, by: number): void {
 export function deepest(app: App): number {
   const { model } = app;
   if (!model) return 0;
-  const refined = app.stage.scene?.refinement?.cells.depth;
+  const refined = app.stage.scene?.depths;
   const sets = [model.display.reference.depth, model.display.dual.cells.depth, model.display.blocks.depth];
   return [...sets, ...(refined ? [refined] : [])].reduce(
     (most, set) => set.reduce((a, b) => Math.max(a, b), most),

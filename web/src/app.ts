@@ -7,7 +7,6 @@ import { type Example, exampleFile, fetchBytes, loadExamples } from './model/exa
 import { entityName, type Model } from './model/model.ts';
 import { Stage } from './stage.ts';
 import { type SavedView, viewFromFragment, viewFromJson, viewToFragment, viewToJson } from './state/codec.ts';
-import { extractText } from './state/png.ts';
 import { Store } from './state/store.ts';
 import { initialUi, type Problem, type UiState } from './state/ui-state.ts';
 import {
@@ -47,6 +46,7 @@ export class App {
   /** The last view of the model that is shown. */
   private kept: ViewState = defaultState;
   private turn = 0;
+  private edits = Promise.resolve();
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas, this);
@@ -89,6 +89,7 @@ export class App {
   async openFile(file: File): Promise<boolean> {
     const bytes = new Uint8Array(await file.arrayBuffer());
     if (/\.png$/i.test(file.name)) {
+      const { extractText } = await import('./state/png.ts');
       const text = extractText(bytes);
       const view = text === null ? null : viewFromJson(text);
       if (view) return this.restore(view, file.name);
@@ -115,6 +116,12 @@ export class App {
     const { model, reference } = this.view.state;
     const patch = { reference: { ...reference, ...change } };
     await this.open(model, this.model?.title ?? '', () => this.bytesOf(model), patch, true);
+  }
+
+  /** The same for what adds to or takes from the last such change, which is waited for. */
+  editReference(change: (now: Reference) => Partial<Reference>): Promise<void> {
+    this.edits = this.edits.then(() => this.setReference(change(this.view.state.reference)));
+    return this.edits;
   }
 
   /** Limits every run from now on, and tries again what the last limit ended. */
@@ -145,6 +152,15 @@ export class App {
   /** What an entity of the shown model is called: its kind, and the number that it has in files too. */
   nameOf(entity: Entity): string {
     return entityName(entity, this.model?.result.dimension ?? 3);
+  }
+
+  /** The view names no elements any more. */
+  forgetElements(): void {
+    const { selection, isolated, hidden } = this.view.state;
+    const kept = (entity: Entity | null): Entity | null => (entity?.kind === 'element' ? null : entity);
+    const rest = hidden.filter((entity) => kept(entity));
+    if (kept(selection) === selection && kept(isolated) === isolated && rest.length === hidden.length) return;
+    this.view.set({ selection: kept(selection), isolated: kept(isolated), hidden: rest }, { silent: true });
   }
 
   select(selection: Entity | null): void {

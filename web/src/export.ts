@@ -36,9 +36,9 @@ export async function pictureOf(app: App, scale: number, transparent: boolean): 
   app.say('Picture saved. Drop it here to come back to this view.');
 }
 
-/** Bins of the histogram and how many blocks are in each. */
+/** Bins of the histogram and how many blocks are in each, of the mesh that is handed out. */
 function histogramCsv({ result }: Model): string {
-  const summary = summarize(result.primal.quality);
+  const summary = summarize((result.mesh ?? result.primal).quality);
   const counts = summary?.histogram ?? [];
   const width = 2 / Math.max(1, counts.length);
   const rows = counts.map(

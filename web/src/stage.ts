@@ -174,7 +174,9 @@ export class Stage {
   private refine(): void {
     const { state } = this.app.view;
     const { scene } = this;
-    if (!scene || (state.step !== 9 && state.compare !== 9)) return;
+    // A link may name elements in any step.
+    const isNamed = state.selection?.kind === 'element' || state.isolated?.kind === 'element';
+    if (!scene || (state.step !== 9 && state.compare !== 9 && !isNamed)) return;
     const { result } = scene.model;
     if ((result.mesh ?? result.primal).blocks.length === 0) return;
     const refinement = refinementOf(state, result);
@@ -193,6 +195,8 @@ export class Stage {
         if (this.refining !== mine) return;
         const layered = layeredBlocks(result);
         const block = refined.block.map((b) => layered[b]!);
+        // Numbers of other elements than these mean nothing any more.
+        if (this.shownBy) this.app.forgetElements();
         scene.setRefined({ ...refined, refinement, block });
         this.shownBy = { refine: state.refine, intervals: state.intervals, gradings: state.gradings };
         this.app.setUi({ refinement: this.app.ui.state.refinement + 1, refused: null });

@@ -103,7 +103,7 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
 }
 
 /** Elements at the boundary; what they have behind them is not drawn. */
-function displayOuter({ positions, boundaryFaces }: RefinedMesh, cells: Int32Array): CellSet {
+export function displayOuter({ positions, boundaryFaces }: RefinedMesh, cells: Int32Array): CellSet {
   const isOuter = new Uint8Array(positions.length / 3);
   for (const node of boundaryFaces) isOuter[node] = 1;
   const { faces, vertices } = shapes.hexahedron;

@@ -5,6 +5,9 @@ import { type CellSet, findNeighbors, shapes, uniformCells } from './cell-set.ts
 
 const { faces, vertices } = shapes.hexahedron;
 
+/** Elements that are drawn one by one: of more nothing could be made out. */
+const mostApart = 200_000;
+
 /** What is in front of it is cut away: { p : normal · p > offset }. */
 interface Plane {
   normal: readonly [number, number, number];
@@ -19,22 +22,26 @@ export class Inside {
   readonly quality: Float64Array;
   private readonly positions: Float64Array;
   private readonly elements: Int32Array;
-  /** Elements at the boundary. */
+  /** Elements at the boundary, which have cells, and the cell of each element, or -1. */
   private readonly outer: Int32Array;
-  private readonly isOuter: Uint8Array;
+  private readonly cellOf: Int32Array;
+  private readonly cells: CellSet;
   /** No node is farther from the middle of its element. */
   private readonly reach: number;
   private depths: Int32Array | null = null;
 
   /** Of a mesh whose cells are not all of its elements. */
-  constructor({ mesh, element, quality }: Pick<RefinedCells, 'mesh' | 'element' | 'quality'>) {
+  constructor({ cells, mesh, element, quality }: Omit<RefinedCells, 'outline' | 'block' | 'straightened'>) {
     this.positions = mesh!.positions;
     this.elements = mesh!.elements;
     this.outer = element!;
     this.quality = quality;
     this.count = quality.length;
-    this.isOuter = new Uint8Array(this.count);
-    for (const e of this.outer) this.isOuter[e] = 1;
+    this.cells = cells;
+    this.cellOf = new Int32Array(this.count).fill(-1);
+    this.outer.forEach((e, cell) => {
+      this.cellOf[e] = cell;
+    });
     this.centers = new Float32Array(3 * this.count);
     const { positions, elements, centers } = this;
     let reach = 0;
@@ -61,7 +68,7 @@ export class Inside {
       for (const e of list) for (const node of this.nodesOf(e)) isReached[node] = 1;
     };
     reached(this.outer);
-    let rest = Int32Array.from({ length: this.count }, (_, e) => e).filter((e) => !this.isOuter[e]);
+    let rest = Int32Array.from({ length: this.count }, (_, e) => e).filter((e) => this.cellOf[e]! < 0);
     for (let level = 1; rest.length > 0; level++) {
       const next = rest.filter((e) => this.touches(e, isReached));
       for (const e of next) depth[e] = level;
@@ -73,10 +80,15 @@ export class Inside {
   }
 
   /**
-   * Cells of elements inside of which something is seen, and the elements, ascending: those that stay (`keep`, a byte
-   * each; null: all) next to some that do not, and those that a plane cuts.
+   * Cells of what is seen inside, and their elements, ascending: of those that stay (`keep`, a byte each; null: all) the
+   * ones next to some that do not, with the faces that lead there; of those without cells of their own the ones that a
+   * plane cuts, or, if `apart`, all that stay, as long as they are not too many.
    */
-  open(keep: Uint8Array | null, planes: readonly Plane[]): { cells: CellSet; element: Int32Array } {
+  open(
+    keep: Uint8Array | null,
+    planes: readonly Plane[],
+    apart = false,
+  ): { cells: CellSet; element: Int32Array } {
     // A node of an element that is gone; all four of a face are of one only if the face leads to it, or the element on
     // its other side is among the cells as well.
     const isBare = new Uint8Array(this.positions.length / 3);
@@ -85,9 +97,12 @@ export class Inside {
         if (!keep[e]) for (let v = vertices * e; v < vertices * (e + 1); v++) isBare[this.elements[v]!] = 1;
     const found: number[] = [];
     for (let e = 0; e < this.count; e++) {
-      if (this.isOuter[e] || (keep && !keep[e])) continue;
-      if ((keep && this.touches(e, isBare)) || planes.some((plane) => this.cuts(plane, e))) found.push(e);
+      if (keep && !keep[e]) continue;
+      const isInner = this.cellOf[e]! < 0;
+      const isCut = (): boolean => isInner && planes.some((plane) => this.cuts(plane, e));
+      if (apart ? isInner : (keep && this.touches(e, isBare)) || isCut()) found.push(e);
     }
+    if (apart && found.length > mostApart) found.length = 0;
     const element = Int32Array.from(found);
     const nodes = new Int32Array(vertices * element.length);
     element.forEach((e, k) => {
@@ -95,9 +110,12 @@ export class Inside {
     });
     const neighbors = findNeighbors(faces, vertices, nodes);
     for (let f = 0; f < neighbors.length; f++) {
-      const first = vertices * Math.floor(f / faces.length);
-      if (neighbors[f]! < 0 && faces[f % faces.length]!.some((v) => !isBare[nodes[first + v]!]))
-        neighbors[f] = -2;
+      if (neighbors[f]! >= 0) continue;
+      const k = Math.floor(f / faces.length);
+      const own = f % faces.length;
+      const cell = this.cellOf[element[k]!]!;
+      const isDrawn = cell >= 0 && this.cells.faceOther[faces.length * cell + own] === -1;
+      if (isDrawn || faces[own]!.some((v) => !isBare[nodes[vertices * k + v]!])) neighbors[f] = -2;
     }
     return { cells: uniformCells('hexahedron', 3, this.positions, nodes, neighbors, false), element };
   }
@@ -106,8 +124,9 @@ export class Inside {
     const height = (points: ArrayLike<number>, p: number): number =>
       normal[0] * points[3 * p]! + normal[1] * points[3 * p + 1]! + normal[2] * points[3 * p + 2]! - offset;
     const middle = height(this.centers, e);
-    if (Math.abs(middle) > this.reach) return false;
-    return this.nodesOf(e).some((node) => height(this.positions, node) * middle <= 0);
+    const near = 1e-5 * this.reach; // sections are made of single precision
+    if (Math.abs(middle) > this.reach + near) return false;
+    return this.nodesOf(e).some((node) => height(this.positions, node) * Math.sign(middle) <= near);
   }
 
   private touches(e: number, isMarked: Uint8Array): boolean {

@@ -239,7 +239,11 @@ function Export() {
         ))}
       </ul>
       {working && <Busy {...working} id="cancel-export" onCancel={cancel} />}
-      {failed && <p role="alert">{failed}</p>}
+      {failed && (
+        <p role="alert" ref={(shown) => shown?.scrollIntoView({ block: 'nearest' })}>
+          {failed}
+        </p>
+      )}
     </>
   );
 }

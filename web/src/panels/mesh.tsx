@@ -16,9 +16,9 @@ const usualShare = 0.3;
 const longestList = 300;
 
 /** Another run; where the button that asked for it is gone then, the focus stays near. */
-async function changeMesh(app: App, change: Partial<Reference>): Promise<void> {
+async function changeMesh(app: App, change: (now: Reference) => Partial<Reference>): Promise<void> {
   const section = document.activeElement?.closest('section');
-  await app.setReference(change);
+  await app.editReference(change);
   await new Promise(requestAnimationFrame); // the panel is drawn anew
   if (document.activeElement !== document.body) return;
   const near =
@@ -78,13 +78,16 @@ function Blocks() {
         <button
           type="button"
           class="put-back"
-          onClick={() => void changeMesh(app, { extract: extract.slice(0, -1) })}
+          onClick={() => void changeMesh(app, (now) => ({ extract: now.extract.slice(0, -1) }))}
         >
           Put D̄-surface {extract.at(-1)} back
         </button>
       )}
       {insert.length > 0 && (
-        <button type="button" onClick={() => void app.setReference({ insert: insert.slice(0, -1) })}>
+        <button
+          type="button"
+          onClick={() => void app.editReference((now) => ({ insert: now.insert.slice(0, -1) }))}
+        >
           Take the last inserted one out
         </button>
       )}
@@ -125,7 +128,7 @@ function Intervals() {
 /** Every D̄-surface with its layer of blocks, its intervals, and the way to extract it. */
 function Surfaces() {
   const app = useApp();
-  const { selection, intervals, refine, reference } = useView((s) => s);
+  const { selection, intervals, refine } = useView((s) => s);
   const { result } = app.model!;
   const layers = surfaceLayers(result);
   const layered = layeredSurface(result);
@@ -169,7 +172,7 @@ function Surfaces() {
                 aria-label={`Extract ${name} ${surface}`}
                 title="Collapse its layer of blocks"
                 disabled={layers.length < 2 || layered(surface) !== surface}
-                onClick={() => void changeMesh(app, { extract: [...reference.extract, surface] })}
+                onClick={() => void changeMesh(app, (now) => ({ extract: [...now.extract, surface] }))}
               >
                 Extract
               </button>
@@ -197,7 +200,7 @@ function Surfaces() {
 /** What goes along sides: layers of blocks, and facets that elements get smaller towards. */
 function BoundaryLayers() {
   const app = useApp();
-  const { selection, gradings, reference } = useView((s) => s);
+  const { selection, gradings } = useView((s) => s);
   const { dimension, domain } = app.model!.result;
   const facetName = dimension === 2 ? 'segment' : 'facet';
   const chosen = selection?.kind === 'facet' ? selection.id : null;
@@ -256,7 +259,7 @@ function BoundaryLayers() {
         disabled={chosen === null}
         onClick={() => {
           const along = { facet: domain.facetOfGiven.indexOf(chosen!), share };
-          void app.setReference({ insert: [...reference.insert, along] });
+          void app.editReference((now) => ({ insert: [...now.insert, along] }));
         }}
       >
         {chosen === null ? `Insert along a selected ${facetName}` : `Insert along ${facetName} ${chosen}`}

@@ -48,6 +48,8 @@ export class CellLayer extends Layer {
   private readonly capLines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
   private readonly exposed: Uint8Array;
   private mask: Uint8Array | null = null;
+  /** Of a boundary: another layer shows what filters lay open behind it. */
+  isShell = false;
   /** Of many cells only faces towards the eye are given to the renderer; null: all. */
   private facing: Facing | null = null;
   private readonly eye = new Vector4();
@@ -91,7 +93,8 @@ export class CellLayer extends Layer {
     for (let f = 0; f < exposed.length; f++) {
       const other = set.faceOther[f]!;
       const visible = mask === null || mask[set.faceCell[f]!] !== 0;
-      const open = other === -1 || (mask !== null && (other < 0 || mask[other] === 0));
+      const isBare = mask !== null && !this.isShell && (other < 0 || mask[other] === 0);
+      const open = other === -1 || isBare;
       exposed[f] = visible && (gaps || open) ? 1 : 0;
     }
     if (this.faces) {
@@ -141,6 +144,11 @@ export class CellLayer extends Layer {
       mesh.geometry = capGeometry(cap, index);
     }
     this.capLines.visible = cap.lines.length < mostCapLines;
+  }
+
+  /** Leaves the sections without outlines if those of another layer are. */
+  outlineLike({ capLines }: CellLayer): void {
+    if (this.capLines && !capLines?.visible) this.capLines.visible = false;
   }
 
   /** Triangles and outlines as they may be seen now, from wherever, for export. */

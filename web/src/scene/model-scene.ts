@@ -30,14 +30,15 @@ interface Entry {
   shown: string;
 }
 
-/** Whether all entities are there, where they belong. */
+/** Whether cells are where they belong, and none of them gone but for a slice or by name, which edges follow. */
+const isTogether = (state: ViewState, step: Step): boolean =>
+  shrinkOf(state, step) === 1 && explodeOf(state, step) === 0 && state.peel === 0 && state.quality === null;
+
+/** Whether all elements are there, where they belong. */
 const isWhole = (state: ViewState, step: Step): boolean =>
-  shrinkOf(state, step) === 1 &&
-  explodeOf(state, step) === 0 &&
+  isTogether(state, step) &&
   state.slice === null &&
-  state.peel === 0 &&
-  state.quality === null &&
-  state.hidden.length === 0 &&
+  !state.hidden.some(({ kind }) => kind === 'element') &&
   state.isolated === null;
 
 export class ModelScene {
@@ -89,6 +90,7 @@ export class ModelScene {
     this.refined = refined;
     this.inside = null;
     for (const id of ['refined', 'outline', 'inside'] as const) this.drop(id);
+    for (const entry of this.entries.values()) entry.shown = ''; // what belongs to an element was not known
     this.selection = null; // marked anew: its counterparts change
     this.isolated = null;
   }
@@ -100,6 +102,12 @@ export class ModelScene {
 
   setInside(inside: Inside): void {
     this.inside = inside;
+    this.drop('refined'); // made anew, as the shell of what is inside
+  }
+
+  /** The depth of the innermost elements of the refined mesh, as far as it is known. */
+  get depths(): Int32Array {
+    return this.inside?.depth ?? this.refined?.cells.depth ?? new Int32Array();
   }
 
   get refinement(): RefinedDisplay | null {
@@ -136,8 +144,11 @@ export class ModelScene {
     for (const id of sceneLayerIds) {
       const setting = id === 'inside' ? 'refined' : id;
       const { visible: wanted, opacity } = layerSetting(state, step, setting, this.model.display.dimension);
-      // Edges are where the nodes are at last; blocks' edges would float where elements are gone or moved apart.
-      const isInPlace = (id !== 'edges' || round === null) && (id !== 'outline' || isWhole(state, step));
+      // Edges are where the nodes are at last; they would float where blocks or elements are gone or moved apart.
+      const isInPlace =
+        id === 'outline'
+          ? isWhole(state, step)
+          : id !== 'edges' || step < 8 || (round === null && isTogether(state, step));
       const isLaidOpen = id !== 'inside' || (this.inside !== null && !isWhole(state, step));
       const visible = wanted && isInPlace && isLaidOpen;
       const entry = visible ? this.entry(id) : this.entries.get(id);
@@ -237,17 +248,20 @@ export class ModelScene {
       until,
     });
     const planes = cuts && plane ? planesOf(plane) : [];
-    if (id === 'inside') this.open(entry, gaps ? null : mask, gaps ? [] : planes);
+    if (id === 'inside') this.open(entry, mask, planes, gaps);
     else layer.show(this.restrict(id, mask, layer.count, state), gaps);
     if (entry.layer instanceof CellLayer) entry.layer.cap(planes);
+    const shell = this.entries.get('refined')?.layer;
+    if (id === 'inside' && shell instanceof CellLayer) shell.outlineLike(entry.layer as CellLayer);
   }
 
-  /** Shows what a filter lays open inside of a refined mesh. Between cells with gaps nothing is. */
-  private open(entry: Entry, mask: Uint8Array | null, planes: Plane[]): void {
+  /** Shows what a filter lays open inside of a refined mesh. */
+  private open(entry: Entry, mask: Uint8Array | null, planes: Plane[], gaps: boolean): void {
     this.object.remove(entry.layer.object);
     entry.layer.dispose();
-    entry.layer = insideLayer(this.inside!.open(mask, planes));
+    entry.layer = insideLayer(this.inside!.open(mask, planes, gaps));
     this.add('inside', entry);
+    if (gaps) entry.layer.show(null, true);
   }
 
   /** Contributions belong to one of two layers; D̄-surfaces show both, or one kind. */
@@ -309,6 +323,7 @@ export class ModelScene {
         : makeLayer(id, this.model, this.refined);
     if (!made) return undefined;
     const entry = { ...made, shown: '' };
+    if (id === 'refined' && made.layer instanceof CellLayer) made.layer.isShell = this.inside !== null;
     this.entries.set(id, entry);
     this.add(id, entry);
     return entry;
