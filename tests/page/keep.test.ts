@@ -3,6 +3,7 @@ import { PNG } from 'pngjs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../wasm/dualblock.ts';
 import { blockMesh } from '../../wasm/io/block-mesh-of.ts';
+import type { CellLayer } from '../../web/src/scene/cell-layer.ts';
 import { viewToFragment } from '../../web/src/state/codec.ts';
 import { extractText } from '../../web/src/state/png.ts';
 import { defaultState, type ViewState } from '../../web/src/state/view-state.ts';
@@ -183,6 +184,25 @@ describe('sharing', () => {
     }
   });
 
+  it('a link that isolates an element shows its block in steps before there is a refined mesh', async () => {
+    const isolated = { kind: 'element', id: 40 } as const; // of 27 in each of 8 blocks
+    const state: ViewState = {
+      ...defaultState,
+      model: { source: 'example', name: 'tapered_brick' },
+      isolated,
+    };
+    const { page } = await host.open({ fragment: `#${await viewToFragment({ state })}` });
+    await page.waitForFunction(() => dualblock.stage.scene?.refinement);
+    await settle(page);
+    const drawn = await page.evaluate(() => {
+      const { triangles, cell } = (dualblock.stage.scene!.layer('blocks') as CellLayer).drawn();
+      return [...new Set(Array.from(triangles, (p) => cell[p]))];
+    });
+    expect(drawn).toEqual([1]);
+    expect((await viewOf(page)).isolated).toEqual(isolated);
+    await page.close();
+  });
+
   it('a link that is entered later is followed', async () => {
     const { page } = await host.open();
     const link = await page.evaluate(() => dualblock.link());
@@ -298,6 +318,14 @@ describe('exports', () => {
     await setView(page, { slice: { axis: 'z', normal: [0, 0, 1], offset: 0, slab: null, capped: false } });
     // One level of the ring: 32 blocks above and below, 16 + ... around: twice 32 and the outer and inner walls.
     expect(await triangles()).toBe((32 + 32 + 24 + 8) * 2);
+    // Cut in two, and closed: 6 blocks of the ring at either end have a square section of two triangles each.
+    await setView(page, { slice: { axis: 'x', normal: [1, 0, 0], offset: 0.1, slab: null, capped: true } });
+    await page.keyboard.press('x');
+    const { bytes } = await downloaded(page, () => page.click('[data-export=gltf]'));
+    const { accessors } = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+    const reach = accessors.filter((a: { max?: number[] }) => a.max).map((a: { max: number[] }) => a.max[0]!);
+    expect(Math.max(...reach)).toBeCloseTo(1.65, 3);
+    expect(reach.filter((x: number) => Math.abs(x - 1.65) < 1e-3).length).toBeGreaterThanOrEqual(3);
     await page.close();
   });
 });

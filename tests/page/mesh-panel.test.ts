@@ -55,6 +55,34 @@ describe('D̄-surfaces', () => {
     await page.close();
   });
 
+  it('are all extracted where one is asked for before the other is done', async () => {
+    const { page } = await openMesh('tapered_brick');
+    const asked = await page.evaluate(() => {
+      const buttons = [...document.querySelectorAll<HTMLButtonElement>('.sheets .extract')];
+      const chosen = [buttons[0]!, buttons.at(-1)!];
+      for (const button of chosen) button.click();
+      return chosen.map((button) => Number(/\d+$/.exec(button.ariaLabel!)![0]));
+    });
+    await page.waitForFunction(() => dualblock.view.state.reference.extract.length === 2);
+    await settle(page);
+    expect((await viewOf(page)).reference.extract).toEqual(asked);
+    expect(await elements(page)).toBe(2 * 27);
+    await page.close();
+  });
+
+  it('elements that are named are forgotten when there are others', async () => {
+    const { page } = await openMesh('tapered_brick');
+    const element = { kind: 'element', id: 3 } as const;
+    const block = { kind: 'block', id: 1 } as const;
+    await setView(page, { selection: element, hidden: [element, block] });
+    await page.evaluate(() => dualblock.view.set({ isolated: { kind: 'element', id: 5 } }));
+    await slide(page, /^Intervals/, 2);
+    await page.waitForFunction(() => dualblock.stage.scene?.refinement?.refinement.intervals === 2);
+    await settle(page);
+    expect(await viewOf(page)).toMatchObject({ selection: null, isolated: null, hidden: [block] });
+    await page.close();
+  });
+
   it('are extracted one by one, put back, undone, and come by a link', async () => {
     const opened = await openMesh('tapered_brick');
     const { page } = opened;

@@ -6,6 +6,8 @@ import { defaultSettings } from '../../wasm/settings.ts';
 import type { App } from './app.ts';
 import { refinementOf } from './model/final-mesh.ts';
 import type { Model } from './model/model.ts';
+import { placeSlice } from './scene/filters.ts';
+import { planesOf } from './scene/model-scene.ts';
 import { viewToJson } from './state/codec.ts';
 import { embedText } from './state/png.ts';
 
@@ -115,7 +117,10 @@ export const exporters: Exporter[] = [
     allowed: any,
     save: async (app) => {
       const { sceneToGlb } = await import('./scene/gltf.ts');
-      download(await sceneToGlb(app.stage.scene!), `${baseName(app.model!)}.glb`);
+      const { display } = app.model!;
+      const { slice } = app.view.state;
+      const planes = slice?.capped ? planesOf(placeSlice(slice, display.box)) : [];
+      download(await sceneToGlb(app.stage.scene!, planes), `${baseName(app.model!)}.glb`);
     },
   },
   {

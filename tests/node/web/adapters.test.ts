@@ -1,5 +1,5 @@
 // Layers as the adapters make them, without a picture: what they hold, in which colours, and what is drawn of it.
-import { type Mesh, Vector4 } from 'three';
+import { type Mesh, Vector3, Vector4 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Dualblock } from '../../../wasm/dualblock.ts';
 import { type Refiner, refineInput } from '../../../wasm/refine.ts';
@@ -9,6 +9,7 @@ import type { Model } from '../../../web/src/model/model.ts';
 import { surfacesOfContribution } from '../../../web/src/model/provenance.ts';
 import { makeLayer, paintLayer } from '../../../web/src/scene/adapters.ts';
 import { CellLayer } from '../../../web/src/scene/cell-layer.ts';
+import { clip } from '../../../web/src/scene/clip.ts';
 import type { PointLayer, SegmentLayer } from '../../../web/src/scene/instanced-layers.ts';
 import { ModelScene } from '../../../web/src/scene/model-scene.ts';
 import { featurePalette, hardRed, qualityColour, softBlue, themes } from '../../../web/src/scene/palette.ts';
@@ -140,6 +141,37 @@ describe('what is drawn', () => {
     expect(refined.drawn().triangles.length / 6 / 49).toBe(4 * side + (4 * side) / 3 + 2 * lid);
     refined.show(null, true); // with gaps all of them are drawn
     expect(seenFrom(1, 0, 0, 0)).toBe(64 * 6 * 7);
+  });
+
+  it('is cut off by planes for export, and closed there', () => {
+    const m = model('square_ring'); // 3 by 3 by 1 without 1 by 1
+    const blocks = layer('blocks', m).layer as CellLayer;
+    const plane = { normal: [0.6, 0.8, 0] as [number, number, number], offset: 2.1 }; // through the middle
+    blocks.cap([plane]);
+    const { points, cell, triangles, lines, caps } = blocks.drawn();
+    const gather = (index: Uint32Array): Float32Array =>
+      Float32Array.from([...index].flatMap((p) => [...points.subarray(3 * p, 3 * p + 3)]));
+    const faces = clip({ points: gather(triangles), of: cell.slice(0, triangles.length / 3) }, 3, [plane]);
+    const corner = (from: Float32Array, k: number): Vector3 =>
+      new Vector3(...from.subarray(3 * k, 3 * k + 3));
+    let volume = 0;
+    for (let k = 0; k < faces.points.length / 3; k += 3) {
+      const [a, b, c] = [0, 1, 2].map((i) => corner(faces.points, k + i));
+      volume += a!.dot(b!.clone().cross(c!)) / 6;
+    }
+    for (let k = 0; k < caps!.index.length; k += 3) {
+      const [a, b, c] = [0, 1, 2].map((i) => corner(caps!.points, caps!.index[k + i]!));
+      volume += (plane.offset * b!.sub(a!).cross(c!.sub(a!)).length()) / 2 / 3;
+    }
+    expect(volume).toBeCloseTo(4, 4); // half, by symmetry
+    const edges = clip({ points: gather(lines), of: cell.slice(0, lines.length / 2) }, 2, [plane]);
+    const heights = Array.from({ length: edges.points.length / 3 }, (_, k) => corner(edges.points, k)).map(
+      (p) => 0.6 * p.x + 0.8 * p.y,
+    );
+    expect(Math.max(...heights)).toBeCloseTo(2.1, 5);
+    expect(edges.of.length).toBeGreaterThan(100);
+    blocks.cap([]);
+    expect(blocks.drawn().caps).toBeNull();
   });
 
   it('are the visible segments and points, with their own numbers', () => {

@@ -48,6 +48,7 @@ export class CellLayer extends Layer {
   private readonly capLines: LineSegments<BufferGeometry, ShaderMaterial> | null = null;
   private readonly exposed: Uint8Array;
   private mask: Uint8Array | null = null;
+  private closed: Cap | null = null;
   /** Of a boundary: another layer shows what filters lay open behind it. */
   isShell = false;
   /** Of many cells only faces towards the eye are given to the renderer; null: all. */
@@ -132,10 +133,12 @@ export class CellLayer extends Layer {
   cap(planes: readonly Plane[]): void {
     if (!this.caps || !this.capLines) return;
     this.caps.visible = this.capLines.visible = planes.length > 0;
+    this.closed = null;
     if (planes.length === 0) return;
     const { shrink, explode, origin } = this.uniforms;
     const deform = { shrink: shrink.value, explode: explode.value, origin: origin.value.toArray() };
     const cap = capsOf(this.set, this.mask, planes, deform);
+    this.closed = cap;
     for (const [mesh, index] of [
       [this.caps, cap.index],
       [this.capLines, cap.lines],
@@ -151,8 +154,14 @@ export class CellLayer extends Layer {
     if (this.capLines && !capLines?.visible) this.capLines.visible = false;
   }
 
-  /** Triangles and outlines as they may be seen now, from wherever, for export. */
-  drawn(): { points: Float32Array; cell: Int32Array; triangles: Uint32Array; lines: Uint32Array } {
+  /** Triangles, outlines and what closes cut cells as they may be seen now, from wherever, for export. */
+  drawn(): {
+    points: Float32Array;
+    cell: Int32Array;
+    triangles: Uint32Array;
+    lines: Uint32Array;
+    caps: Cap | null;
+  } {
     const used = (geometry: BufferGeometry | undefined): Uint32Array =>
       geometry
         ? (geometry.index!.array as Uint32Array).slice(0, geometry.drawRange.count)
@@ -162,6 +171,7 @@ export class CellLayer extends Layer {
       cell: this.set.pointCell,
       triangles: this.facing?.triangles ?? used(this.faces?.geometry),
       lines: this.set.wired ? loops(this.set, this.exposed) : used(this.outlines?.geometry),
+      caps: this.closed,
     };
   }
 

@@ -4,16 +4,16 @@ import {
   BufferGeometry,
   DoubleSide,
   Group,
-  LineBasicMaterial,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
   MeshStandardMaterial,
   type Object3D,
   Points,
-  PointsMaterial,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import { CellLayer } from './cell-layer.ts';
+import { CellLayer, type Plane } from './cell-layer.ts';
+import { clip, type Pieces } from './clip.ts';
 import { PointLayer, SegmentLayer } from './instanced-layers.ts';
 import type { Rgb } from './layer.ts';
 import type { ModelScene } from './model-scene.ts';
@@ -30,43 +30,36 @@ function geometry(points: Float32Array, colourOf: (point: number) => Rgb): Buffe
   return made;
 }
 
-/** The points that an index uses, renumbered: nothing that is hidden goes out. */
-function compact(
+/** Where the points that an index names are, as shrunk and moved apart; of each the cell, one for `width` points. */
+function placed(
+  layer: CellLayer,
   points: Float32Array,
+  cell: ArrayLike<number>,
   index: Uint32Array,
-): { points: Float32Array; index: Uint32Array; from: number[] } {
-  const number = new Map<number, number>();
-  const from: number[] = [];
-  const out = index.map((p) => {
-    let k = number.get(p);
-    if (k === undefined) {
-      k = from.push(p) - 1;
-      number.set(p, k);
+  width: number,
+): Pieces {
+  const { shrink, explode, origin } = layer.uniforms;
+  const out = new Float32Array(3 * index.length);
+  index.forEach((p, k) => {
+    for (let d = 0; d < 3; d++) {
+      const center = layer.centers[3 * cell[p]! + d]!;
+      const from = center - origin.value.getComponent(d);
+      out[3 * k + d] = center + shrink.value * (points[3 * p + d]! - center) + explode.value * from;
     }
-    return k;
   });
-  const kept = new Float32Array(3 * from.length);
-  from.forEach((p, k) => {
-    kept.set(points.subarray(3 * p, 3 * p + 3), 3 * k);
-  });
-  return { points: kept, index: out, from };
+  return {
+    points: out,
+    of: Int32Array.from({ length: index.length / width }, (_, k) => cell[index[width * k]!]!),
+  };
 }
 
-function cellObjects(layer: CellLayer, opacity: number): Object3D[] {
-  const { points, cell, triangles, lines } = layer.drawn();
-  const { shrink, explode, origin } = layer.uniforms;
-  const placed = points.map((x, i) => {
-    const center = layer.centers[3 * cell[Math.floor(i / 3)]! + (i % 3)]!;
-    const from = origin.value.getComponent(i % 3);
-    return center + shrink.value * (x - center) + explode.value * (center - from);
-  });
+function cellObjects(layer: CellLayer, opacity: number, planes: readonly Plane[]): Object3D[] {
+  const { points, cell, triangles, lines, caps } = layer.drawn();
   const out: Object3D[] = [];
-  if (triangles.length > 0) {
-    const used = compact(placed, triangles);
-    const faces = geometry(used.points, (p) => layer.colourOf(cell[used.from[p]!]!));
-    faces.setIndex(new BufferAttribute(used.index, 1));
-    const flat = faces.toNonIndexed();
-    flat.computeVertexNormals();
+  const add = (pieces: Pieces): void => {
+    if (pieces.of.length === 0) return;
+    const faces = geometry(pieces.points, (p) => layer.colourOf(pieces.of[Math.floor(p / 3)]!));
+    faces.computeVertexNormals();
     const material = new MeshStandardMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -75,32 +68,41 @@ function cellObjects(layer: CellLayer, opacity: number): Object3D[] {
     });
     material.transparent = opacity < 1;
     material.opacity = opacity;
-    out.push(new Mesh(flat, material));
-  }
-  if (lines.length > 0) {
-    const used = compact(placed, lines);
-    const edges = geometry(used.points, () => [30, 36, 44]);
-    edges.setIndex(new BufferAttribute(used.index, 1));
-    out.push(new LineSegments(edges, new LineBasicMaterial({ vertexColors: true })));
-  }
+    out.push(new Mesh(faces, material));
+  };
+  add(clip(placed(layer, points, cell, triangles, 3), 3, planes));
+  if (caps) add(placed(layer, caps.points, caps.cell, caps.index, 3));
+  const edges = clip(placed(layer, points, cell, lines, 2), 2, planes);
+  if (edges.of.length > 0)
+    out.push(
+      new LineSegments(
+        geometry(edges.points, () => [30, 36, 44]),
+        new MeshBasicMaterial({ vertexColors: true }),
+      ),
+    );
   return out;
 }
 
-function sceneObjects(scene: ModelScene): Group {
+function sceneObjects(scene: ModelScene, planes: readonly Plane[]): Group {
   const group = new Group();
   for (const { id, layer, opacity } of scene.visible()) {
     let objects: Object3D[] = [];
-    if (layer instanceof CellLayer) objects = cellObjects(layer, opacity);
+    if (layer instanceof CellLayer) objects = cellObjects(layer, opacity, planes);
     else if (layer instanceof SegmentLayer) {
       const { ends, entity } = layer.shown();
-      const lines = geometry(ends, (p) => layer.colourOf(entity[Math.floor(p / 2)]!));
-      objects = [new LineSegments(lines, new LineBasicMaterial({ vertexColors: true }))];
+      const lines = clip({ points: ends, of: entity }, 2, planes);
+      const made = geometry(lines.points, (p) => layer.colourOf(lines.of[Math.floor(p / 2)]!));
+      objects = [new LineSegments(made, new MeshBasicMaterial({ vertexColors: true }))];
     } else if (layer instanceof PointLayer) {
       const { at, entity } = layer.shown();
+      const isCut = (p: number): boolean =>
+        planes.some(({ normal, offset }) => normal.reduce((h, x, d) => h + x * at[3 * p + d]!, -offset) > 0);
+      const kept = [...entity.keys()].filter((p) => !isCut(p));
+      const points = Float32Array.from(kept.flatMap((p) => [...at.subarray(3 * p, 3 * p + 3)]));
       objects = [
         new Points(
-          geometry(at, (p) => layer.colourOf(entity[p]!)),
-          new PointsMaterial({ vertexColors: true }),
+          geometry(points, (k) => layer.colourOf(entity[kept[k]!]!)),
+          new MeshBasicMaterial({ vertexColors: true }),
         ),
       ];
     }
@@ -113,9 +115,9 @@ function sceneObjects(scene: ModelScene): Group {
   return group;
 }
 
-/** Throws where the exporter fails. */
-export async function sceneToGlb(scene: ModelScene): Promise<Blob> {
-  const group = sceneObjects(scene);
+/** `planes` cut off what is in front of them. Throws where the exporter fails. */
+export async function sceneToGlb(scene: ModelScene, planes: readonly Plane[]): Promise<Blob> {
+  const group = sceneObjects(scene, planes);
   group.updateMatrixWorld(true);
   const glb = await new GLTFExporter().parseAsync(group, { binary: true });
   group.traverse((object) => {
