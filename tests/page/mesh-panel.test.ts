@@ -67,6 +67,16 @@ describe('D̄-surfaces', () => {
     await settle(page);
     expect((await viewOf(page)).reference.extract).toEqual(asked);
     expect(await elements(page)).toBe(2 * 27);
+    // Another model that is asked for meanwhile comes, and what was still waiting does not go on it.
+    await page.evaluate(() => {
+      for (const button of document.querySelectorAll<HTMLButtonElement>('.put-back')) button.click();
+      for (const button of document.querySelectorAll<HTMLButtonElement>('.put-back')) button.click();
+      setTimeout(() => void dualblock.openExample('house'));
+    });
+    await page.waitForFunction(() => dualblock.model?.ref.name === 'house');
+    await settle(page);
+    expect((await viewOf(page)).reference.extract).toEqual([]);
+    expect((await viewOf(page)).model).toMatchObject({ name: 'house' });
     await page.close();
   });
 

@@ -47,6 +47,8 @@ export class App {
   private kept: ViewState = defaultState;
   private turn = 0;
   private edits = Promise.resolve();
+  /** The turn of the last edit. */
+  private edited = -1;
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas, this);
@@ -118,9 +120,16 @@ export class App {
     await this.open(model, this.model?.title ?? '', () => this.bytesOf(model), patch, true);
   }
 
-  /** The same for what adds to or takes from the last such change, which is waited for. */
+  /** The same for what adds to or takes from the last such change, which is waited for, unless something else comes. */
   editReference(change: (now: Reference) => Partial<Reference>): Promise<void> {
-    this.edits = this.edits.then(() => this.setReference(change(this.view.state.reference)));
+    const asked = this.turn;
+    const next = async (): Promise<void> => {
+      if (this.turn !== asked && this.turn !== this.edited) return;
+      const run = this.setReference(change(this.view.state.reference));
+      this.edited = this.turn;
+      await run;
+    };
+    this.edits = this.edits.then(next, next);
     return this.edits;
   }
 

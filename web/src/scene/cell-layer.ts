@@ -149,9 +149,10 @@ export class CellLayer extends Layer {
     this.capLines.visible = cap.lines.length < mostCapLines;
   }
 
-  /** Leaves the sections without outlines if those of another layer are. */
-  outlineLike({ capLines }: CellLayer): void {
-    if (this.capLines && !capLines?.visible) this.capLines.visible = false;
+  /** Outlines the sections of two layers, or of neither. */
+  outlineLike({ capLines: other }: CellLayer): void {
+    const { capLines: own } = this;
+    if (own && other) own.visible = other.visible = own.visible && other.visible;
   }
 
   /** Triangles, outlines and what closes cut cells as they may be seen now, from wherever, for export. */

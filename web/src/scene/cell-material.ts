@@ -149,8 +149,8 @@ export function cellMaterial(
   });
   if (lineTint === 0) {
     made.polygonOffset = true;
-    made.polygonOffsetFactor = 1;
-    made.polygonOffsetUnits = 1;
+    // Behind lines; sections before faces in the same plane.
+    made.polygonOffsetFactor = made.polygonOffsetUnits = cap ? 0.5 : 1;
   }
   return made;
 }
