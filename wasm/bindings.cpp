@@ -285,6 +285,7 @@ Result<PipelineOptions> readOptions(const val &settings) {
   options.mode = {coarsest > 0 ? Mode::coarsest : Mode::layered, std::move(surfaces), relax > 0,
                   std::move(insert)};
   options.objective = shape > 0 ? Objective::shape : Objective::blocks;
+  options.mode.keepsShape = shape > 0;
   options.history = history > 0;
   options.edgeLength = edgeLength;
   options.seed = static_cast<std::uint32_t>(seed);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kGood = 0.3;       // scaled Jacobian that coarsening need not exceed
 constexpr double kShare = 0.6;      // of the layered mesh's worst: what it may go down to
+constexpr double kSame = 1e-3;      // scaled Jacobians that differ by less count as equal
 constexpr double kLessExact = 1.05; // of the layered mesh's error of volume, where sides are bent
 
 double errorOf(const Certificate &certificate) {
@@ -67,7 +68,8 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   if (options.mode == Mode::coarsest) {
     CoarsenOptions<N> coarsenOptions;
     const std::vector<double> quality = qualityOf(blocks);
-    coarsenOptions.floor = std::min(kGood, kShare * *std::min_element(quality.begin(), quality.end()));
+    const double worst = *std::min_element(quality.begin(), quality.end());
+    coarsenOptions.floor = options.keepsShape ? worst - kSame : std::min(kGood, kShare * worst);
     // What was extracted by hand may have cost more than that already.
     const double allowed = std::max(kLessExact * errorOf(certificate), errorOf(certified(blocks))) +
                            1e-9 * std::abs(certificate.domainMeasure);

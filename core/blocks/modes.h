@@ -20,6 +20,7 @@ struct ModeOptions {
     bool isAnother = false;
   };
   std::vector<Insert> insert; // along the sides of these facets, at last
+  bool keepsShape = false;    // coarsening may not lower the worst scaled Jacobian
 };
 
 template <int N> struct FinalMesh {

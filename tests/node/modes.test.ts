@@ -80,6 +80,18 @@ describe('inserted D̄-surfaces', () => {
 });
 
 describe('the coarsest mesh', () => {
+  it('chosen for shape is no worse than the layered one', () => {
+    const worst = (name: string, mode: Settings['mode']): number => {
+      const { mesh, primal } = runExample(core, name, { mode, objective: 'shape' });
+      return Math.min(...(mesh ?? primal).quality);
+    };
+    for (const name of meshed)
+      expect(worst(name, 'coarsest'), name).toBeGreaterThanOrEqual(worst(name, 'layered') - 1e-3);
+    const blocks = (objective: Settings['objective']): number =>
+      runExample(core, 'extruded_pentagon', { mode: 'coarsest', objective }).mesh!.quality.length;
+    expect([blocks('shape'), blocks('blocks')]).toEqual([5, 2]); // 0.95 and 0.81
+  });
+
   it.each(meshed)('of %s has no more blocks, and passes the checker', (name) => {
     const layered = runExample(core, name);
     const result = runExample(core, name, { mode: 'coarsest' });
