@@ -19,9 +19,8 @@ namespace {
 // Marked noinline: the module is 1 kB (gzip) smaller if these are there once for each dimension.
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
-constexpr int kBlameRounds = 4;     // then all components fall back
-constexpr double kPoorShape = 0.1;  // scaled Jacobian of a mesh of bent parts below which others are tried
-constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal: fewer blocks win
+constexpr int kBlameRounds = 4;    // then all components fall back
+constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
 /// False if they cannot be made to hold.

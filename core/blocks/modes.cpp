@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kGood = 0.3;       // scaled Jacobian that coarsening need not exceed
 constexpr double kShare = 0.6;      // of the layered mesh's worst: what it may go down to
-constexpr double kSame = 1e-3;      // scaled Jacobians that differ by less count as equal
 constexpr double kLessExact = 1.05; // of the layered mesh's error of volume, where sides are bent
 
 double errorOf(const Certificate &certificate) {
@@ -69,7 +68,7 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
     CoarsenOptions<N> coarsenOptions;
     const std::vector<double> quality = qualityOf(blocks);
     const double worst = *std::min_element(quality.begin(), quality.end());
-    coarsenOptions.floor = options.keepsShape ? worst - kSame : std::min(kGood, kShare * worst);
+    coarsenOptions.floor = options.keepsShape ? worst - kSameShape : std::min(kGood, kShare * worst);
     // What was extracted by hand may have cost more than that already.
     const double allowed = std::max(kLessExact * errorOf(certificate), errorOf(certified(blocks))) +
                            1e-9 * std::abs(certificate.domainMeasure);
@@ -98,11 +97,12 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   }
   if (!options.insert.empty()) {
     const BentShape<N> shape(bentFacetsOf(layered.mesh, layered.features, layered.featureNodes));
+    const std::vector<Index> patches = patchOfSurface(layered.mesh);
     std::vector<Index> sides; // of facets that go together
     for (const auto &[facet, share, isAnother] : options.insert) {
       const bool exists = facet >= 0 && at(facet) < facetOfGiven.size() && facetOfGiven[at(facet)] != kNone;
       if (!exists) return noInsertion(facet, "it does not exist");
-      const Index side = patchOf(patchOfSurface(layered.mesh), facetOfGiven[at(facet)]);
+      const Index side = patchOf(patches, facetOfGiven[at(facet)]);
       if (!isAnother) sides.clear();
       if (std::find(sides.begin(), sides.end(), side) != sides.end()) continue;
       sides.push_back(side);
@@ -122,21 +122,16 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
 template <int N>
 BoundaryFaces<N> boundaryOf(const BlockMesh<N> &blocks, const std::vector<Index> &patchOfSurface) {
   const Skeleton<N> skeleton = skeletonOf(blocks, patchOfSurface);
-  const auto forFaces = [&](auto visit) {
-    for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-      for (int f = 0; f < 2 * N; ++f) visit(b, f, at(sharedFace(skeleton, b, f)));
-  };
-  std::vector<Index> uses(skeleton.edges.size() + skeleton.faces.size(),
-                          0); // inside the domain there are two
-  forFaces([&](std::size_t, int, std::size_t face) { ++uses[face]; });
+  const std::vector<Index> uses = blocksAtFaces(blocks, skeleton);
   BoundaryFaces<N> result;
-  forFaces([&](std::size_t b, int f, std::size_t face) {
-    if (uses[face] > 1) return;
-    auto &cycle = result.faces.emplace_back();
-    for (std::size_t k = 0; k < cycle.size(); ++k)
-      cycle[k] = blocks.blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
-    result.facet.push_back(FaceTag::surface(blocks.tags[b][at(f)]));
-  });
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (int f = 0; f < 2 * N; ++f) {
+      if (uses[at(sharedFace(skeleton, b, f))] > 1) continue; // inside the domain
+      auto &cycle = result.faces.emplace_back();
+      for (std::size_t k = 0; k < cycle.size(); ++k)
+        cycle[k] = blocks.blocks[b][at(faceCorner<N>(f, static_cast<int>(k)))];
+      result.facet.push_back(FaceTag::surface(blocks.tags[b][at(f)]));
+    }
   return result;
 }
 

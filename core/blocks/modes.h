@@ -9,6 +9,8 @@ namespace dualblock {
 
 enum class Mode : std::uint8_t { layered, coarsest };
 
+inline constexpr double kSameShape = 1e-3; // scaled Jacobians that differ by less count as equal
+
 struct ModeOptions {
   Mode mode = Mode::layered;
   std::vector<Index> extract; // D-bar-surfaces to extract first, in this order

@@ -274,7 +274,8 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     return least;
   };
   const double before = worst();
-  const std::vector<Vec<N>> start = blocks.positions;
+  const bool dips = options.dip < 1; // else no move lowers the smallest
+  const std::vector<Vec<N>> start = dips ? blocks.positions : std::vector<Vec<N>>{};
   const double floor = before > 0 ? options.dip * before : before;
   std::vector<bool> isDue(blocks.positions.size(), true); // something around has moved since it was looked at
   for (; result.sweeps < options.sweeps; ++result.sweeps) {
@@ -292,7 +293,7 @@ RelaxResult relax(const Freedom<N> &freedom, BlockMesh<N> &blocks, const RelaxOp
     if (options.onRound) options.onRound();
   }
   result.moves += climbWorst(relaxer, active, blocks.positions.size(), options, kInfinity);
-  if (worst() < before) blocks.positions = start; // it did not come up again
+  if (dips && worst() < before) blocks.positions = start; // it did not come up again
   return result;
 }
 

@@ -37,6 +37,14 @@ template <int N> Index sharedFace(const Skeleton<N> &skeleton, std::size_t block
   else return skeleton.edgesOf[block][edgeAt<2>(1 - f / 2, f % 2 ? 3U : 0U)];
 }
 
+/// How many blocks have each face: one on the domain's boundary, else two.
+template <int N> std::vector<Index> blocksAtFaces(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton) {
+  std::vector<Index> count(N == 3 ? skeleton.faces.size() : skeleton.edges.size(), 0);
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (int f = 0; f < 2 * N; ++f) ++count[at(sharedFace(skeleton, b, f))];
+  return count;
+}
+
 /// Surface::patch of each surface of the reference mesh.
 template <int N> std::vector<Index> patchOfSurface(const ReferenceMesh<N> &mesh) {
   std::vector<Index> patches;

@@ -55,12 +55,12 @@ public:
   Refiner(const BlockMesh<N> &blocks, const Skeleton<N> &skeleton, const BentShape<N> &shape,
           const Spacing &spacing)
       : blocks_(blocks), skeleton_(skeleton), grid_(blocks, skeleton, spacing),
-        placer_(blocks, skeleton, shape, grid_, result_.positions), isListed_(skeleton.edges.size(), false) {
+        placer_(blocks, skeleton, shape, grid_, result_.positions),
+        blocksAtFace_(blocksAtFaces(blocks, skeleton)), isListed_(skeleton.edges.size(), false) {
     result_.intervals = spacing.intervals;
     result_.places = spacing.places;
     result_.positions = blocks.positions;
     result_.positions.resize(at(grid_.nodeCount()));
-    blocksAtFace_.assign(N == 3 ? skeleton.faces.size() : skeleton.edges.size(), 0);
     for (Index b = 0; b < blocks.blockCount(); ++b) {
       auto &reversed = result_.isReversed.emplace_back();
       for (int a = 0; a < N; ++a) {
@@ -68,7 +68,6 @@ public:
         const bool isUp = skeleton.edges[at(edge)][0] == blocks.blocks[at(b)][0];
         reversed[at(a)] = spacing.isReversed[at(edge)] == isUp;
       }
-      for (int f = 0; f < 2 * N; ++f) ++blocksAtFace_[at(sharedFace(skeleton, at(b), f))];
     }
   }
 

@@ -33,6 +33,12 @@ export interface CellSet {
   open: boolean;
 }
 
+/** A plane { p : normal · p = offset }; what is in front of it is cut away. */
+export interface Plane {
+  normal: readonly [number, number, number];
+  offset: number;
+}
+
 /** Straight lines, each of one entity. */
 export interface SegmentSet {
   /** Two points of xyz per segment. */

@@ -1,18 +1,12 @@
 // What filters lay open inside a mesh of which only the elements at the boundary are cells that are always drawn.
 
 import type { RefinedCells } from './blocks.ts';
-import { type CellSet, findNeighbors, shapes, uniformCells } from './cell-set.ts';
+import { type CellSet, findNeighbors, type Plane, shapes, uniformCells } from './cell-set.ts';
 
 const { faces, vertices } = shapes.hexahedron;
 
 /** Elements that are drawn one by one: of more nothing could be made out. */
 const mostApart = 200_000;
-
-/** What is in front of it is cut away: { p : normal · p > offset }. */
-interface Plane {
-  normal: readonly [number, number, number];
-  offset: number;
-}
 
 export class Inside {
   /** Of all elements: what filters sort them by. */

@@ -1,8 +1,7 @@
 // Where planes cut closed cells: the sections, triangulated. A cell's faces are taken as fans of triangles, as they are
 // drawn; each triangle that the plane cuts gives a segment, the segments chain into loops, loops inside loops are holes.
 import { ShapeUtils, Vector2 } from 'three';
-import type { CellSet } from '../display/cell-set.ts';
-import type { Plane } from './cell-layer.ts';
+import type { CellSet, Plane } from '../display/cell-set.ts';
 
 export interface Deform {
   shrink: number;

@@ -11,7 +11,7 @@ import {
   type ShaderMaterial,
   Vector4,
 } from 'three';
-import { type CellSet, cellCenters } from '../display/cell-set.ts';
+import { type CellSet, cellCenters, type Plane } from '../display/cell-set.ts';
 import type { EntityKind } from '../state/view-state.ts';
 import { type Cap, capsOf } from './caps.ts';
 import { cellMaterial } from './cell-material.ts';
@@ -30,12 +30,6 @@ export interface CellLayerOptions {
   lineTint?: number;
 }
 
-/** A plane { p : normal · p = offset }; what is in front of it is cut away. */
-export interface Plane {
-  normal: readonly [number, number, number];
-  offset: number;
-}
-
 /** Points of sections' outlines from which on they would hide the sections. */
 const mostCapLines = 80_000;
 
@@ -51,7 +45,9 @@ export class CellLayer extends Layer {
   private closed: Cap | null = null;
   /** Of a boundary: another layer shows what filters lay open behind it. */
   isShell = false;
-  /** Of many cells only faces towards the eye are given to the renderer; null: all. */
+  /** Of many cells only faces towards the eye are given to the renderer. */
+  private turns = false;
+  /** Null until they are looked at. */
   private facing: Facing | null = null;
   private readonly eye = new Vector4();
 
@@ -98,19 +94,18 @@ export class CellLayer extends Layer {
       const open = other === -1 || isBare;
       exposed[f] = visible && (gaps || open) ? 1 : 0;
     }
-    if (this.faces) {
-      const used = this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
-      const turns = set.wired !== null && !set.open && !gaps; // with gaps cells are elsewhere
-      this.facing = turns ? new Facing(set.points, used.slice()) : null;
-      this.eye.set(0, 0, 0, 0);
-    }
+    if (this.faces) this.fill(this.faces.geometry, (out) => triangles(set, exposed, out));
+    this.facing = null;
+    this.turns = set.wired !== null && !set.open && !gaps; // with gaps cells are elsewhere
     if (this.outlines) this.fill(this.outlines.geometry, (out) => outlines(set, exposed, gaps, out));
   }
 
   /** Before it is drawn: what it is looked at from, homogeneous. */
   lookFrom(eye: Vector4): void {
-    const { faces, facing } = this;
-    if (!faces || !facing || eye.equals(this.eye)) return;
+    const { faces, set } = this;
+    if (!faces || !this.turns || (this.facing && eye.equals(this.eye))) return;
+    const facing = this.facing ?? new Facing(set.points, indices(faces.geometry));
+    this.facing = facing;
     this.eye.copy(eye);
     this.fill(faces.geometry, (out) => facing.towards(eye, out));
   }
@@ -164,9 +159,7 @@ export class CellLayer extends Layer {
     caps: Cap | null;
   } {
     const used = (geometry: BufferGeometry | undefined): Uint32Array =>
-      geometry
-        ? (geometry.index!.array as Uint32Array).slice(0, geometry.drawRange.count)
-        : new Uint32Array();
+      geometry ? indices(geometry) : new Uint32Array();
     return {
       points: this.set.points,
       cell: this.set.pointCell,
@@ -185,16 +178,13 @@ export class CellLayer extends Layer {
     this.uniforms.centers.value?.dispose();
   }
 
-  /** Returns what was written. */
-  private fill(geometry: BufferGeometry, write: (out: Uint32Array) => number): Uint32Array {
+  private fill(geometry: BufferGeometry, write: (out: Uint32Array) => number): void {
     const index = geometry.index!;
-    const array = index.array as Uint32Array;
-    const used = write(array);
+    const used = write(index.array as Uint32Array);
     geometry.setDrawRange(0, used);
     index.clearUpdateRanges();
     index.addUpdateRange(0, used);
     index.needsUpdate = true;
-    return array.subarray(0, used);
   }
 }
 
@@ -206,6 +196,11 @@ function indexed(position: BufferAttribute, cell: BufferAttribute, most: number)
   index.setUsage(DynamicDrawUsage);
   geometry.setIndex(index);
   return geometry;
+}
+
+/** A copy of the indices that are drawn. */
+function indices({ index, drawRange }: BufferGeometry): Uint32Array {
+  return (index!.array as Uint32Array).slice(0, drawRange.count);
 }
 
 function triangleCount({ faceOffsets, faceCell }: CellSet): number {

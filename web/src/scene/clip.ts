@@ -1,5 +1,5 @@
-// Triangles and segments cut off by planes, as the shaders cut them, for what is exported.
-import type { Plane } from './cell-layer.ts';
+// Triangles, segments and points cut off by planes, as the shaders cut them, for what is exported.
+import type { Plane } from '../display/cell-set.ts';
 
 /** Pieces of `width` points each: xyz per point, and which piece of the given ones each is of. */
 export interface Pieces {
@@ -7,11 +7,8 @@ export interface Pieces {
   of: Int32Array;
 }
 
-/**
- * What planes leave of triangles (`width` 3) or segments (2), xyz per point; a triangle may leave several. `of`: as in
- * Pieces, of the given ones.
- */
-export function clip({ points, of }: Pieces, width: 2 | 3, planes: readonly Plane[]): Pieces {
+/** What planes leave of triangles (`width` 3), segments (2) or points (1); a triangle may leave several. */
+export function clip({ points, of }: Pieces, width: 1 | 2 | 3, planes: readonly Plane[]): Pieces {
   const out: number[] = [];
   const from: number[] = [];
   for (let k = 0; k < of.length; k++) {
@@ -20,9 +17,9 @@ export function clip({ points, of }: Pieces, width: 2 | 3, planes: readonly Plan
       ...points.subarray(start + 3 * v, start + 3 * v + 3),
     ]);
     for (const plane of planes) polygon = cut(polygon, plane, width === 3);
-    // A fan; what is left of a segment is one.
+    // A fan; what is left of a segment or a point is one piece.
     for (let v = width - 1; v < polygon.length; v++) {
-      out.push(...polygon[0]!, ...(width === 3 ? polygon[v - 1]! : []), ...polygon[v]!);
+      for (const corner of [0, v - 1, v].slice(3 - width)) out.push(...polygon[corner]!);
       from.push(of[k]!);
     }
   }

@@ -12,7 +12,8 @@ import {
   Points,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import { CellLayer, type Plane } from './cell-layer.ts';
+import type { Plane } from '../display/cell-set.ts';
+import { CellLayer } from './cell-layer.ts';
 import { clip, type Pieces } from './clip.ts';
 import { PointLayer, SegmentLayer } from './instanced-layers.ts';
 import type { Rgb } from './layer.ts';
@@ -95,16 +96,9 @@ function sceneObjects(scene: ModelScene, planes: readonly Plane[]): Group {
       objects = [new LineSegments(made, new MeshBasicMaterial({ vertexColors: true }))];
     } else if (layer instanceof PointLayer) {
       const { at, entity } = layer.shown();
-      const isCut = (p: number): boolean =>
-        planes.some(({ normal, offset }) => normal.reduce((h, x, d) => h + x * at[3 * p + d]!, -offset) > 0);
-      const kept = [...entity.keys()].filter((p) => !isCut(p));
-      const points = Float32Array.from(kept.flatMap((p) => [...at.subarray(3 * p, 3 * p + 3)]));
-      objects = [
-        new Points(
-          geometry(points, (k) => layer.colourOf(entity[kept[k]!]!)),
-          new MeshBasicMaterial({ vertexColors: true }),
-        ),
-      ];
+      const points = clip({ points: at, of: entity }, 1, planes);
+      const made = geometry(points.points, (p) => layer.colourOf(points.of[p]!));
+      objects = [new Points(made, new MeshBasicMaterial({ vertexColors: true }))];
     }
     for (const object of objects) {
       object.name = id;

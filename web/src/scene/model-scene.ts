@@ -1,5 +1,6 @@
 // The layers of one model, made when they are first seen, and how a view state shows them in a step.
 import { Group, Vector3 } from 'three';
+import type { Plane } from '../display/cell-set.ts';
 import { pick } from '../display/domain.ts';
 import type { Inside } from '../display/inside.ts';
 import { entityCount, type Model, type RefinedDisplay } from '../model/model.ts';
@@ -15,7 +16,7 @@ import {
   type ViewState,
 } from '../state/view-state.ts';
 import { insideLayer, makeLayer, paintLayer, type SceneLayerId, sceneLayerIds } from './adapters.ts';
-import { CellLayer, type Plane } from './cell-layer.ts';
+import { CellLayer } from './cell-layer.ts';
 import { type Filterable, placeSlice, type SlicePlane, visibleMask } from './filters.ts';
 import { flag, type Layer } from './layer.ts';
 import type { Theme } from './palette.ts';
