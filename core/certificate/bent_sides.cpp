@@ -1,11 +1,12 @@
-// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and two things
-// do not follow from volumes and planes any more: that nodes lie on the surface, and that the boundary does
-// not cross itself.
+// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and three things
+// do not follow from volumes and planes any more: that nodes lie on the surface, that the boundary does not
+// cross itself, and that it stays near the surface.
 #include <cmath>
 #include <limits>
 
 #include "base/sort.h"
 #include "certificate/checks.h"
+#include "certificate/embedding.h"
 
 namespace dualblock {
 namespace {
@@ -81,95 +82,78 @@ void checkNodes(const BlockInput<3> &in, const BlockComplex<3> &complex, double 
   }
 }
 
-using Quad = std::array<Vec<3>, 4>;
-
-std::array<Quad, 4> quarters(const Quad &q) {
-  const Vec<3> a = (q[0] + q[1]) / 2.0;
-  const Vec<3> b = (q[1] + q[2]) / 2.0;
-  const Vec<3> c = (q[2] + q[3]) / 2.0;
-  const Vec<3> d = (q[3] + q[0]) / 2.0;
-  const Vec<3> m = (a + c) / 2.0;
-  return {Quad{q[0], a, m, d}, Quad{a, q[1], b, m}, Quad{m, b, q[2], c}, Quad{d, m, c, q[3]}};
-}
-
-/// Whether some plane has all corners of p behind it and those of q in front, up to `margin` (negative: and a
-/// gap). A bilinear patch lies in the hull of its corners.
-bool separated(const Quad &p, const Quad &q, double margin) {
-  const auto splits = [&](const Vec<3> &axis) {
-    const double length = glm::length(axis);
-    if (!(length > 0)) return false;
-    double highP = -std::numeric_limits<double>::infinity();
-    double lowP = -highP;
-    double highQ = highP;
-    double lowQ = lowP;
-    for (std::size_t k = 0; k < 4; ++k) {
-      highP = std::max(highP, glm::dot(axis, p[k]) / length);
-      lowP = std::min(lowP, glm::dot(axis, p[k]) / length);
-      highQ = std::max(highQ, glm::dot(axis, q[k]) / length);
-      lowQ = std::min(lowQ, glm::dot(axis, q[k]) / length);
-    }
-    return highP <= lowQ + margin || highQ <= lowP + margin;
-  };
-  const Vec<3> centre = p[0] + p[1] + p[2] + p[3] - q[0] - q[1] - q[2] - q[3];
-  const Vec<3> normalP = glm::cross(p[2] - p[0], p[3] - p[1]);
-  const Vec<3> normalQ = glm::cross(q[2] - q[0], q[3] - q[1]);
-  if (splits(centre) || splits(normalP) || splits(normalQ)) return true;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec<3> edgeP = p[(k + 1) % 4] - p[k];
-    const Vec<3> edgeQ = q[(k + 1) % 4] - q[k];
-    if (splits(glm::cross(edgeP, normalP)) || splits(glm::cross(edgeQ, normalQ))) return true;
-    if (splits(glm::cross(edgeP, edgeQ))) return true;
-    if (splits(glm::cross(edgeP, q[(k + 2) % 4] - q[(k + 1) % 4]))) return true;
-  }
-  return false;
-}
-
-/// Whether two faces are apart. Faces that share a node can only be told apart beyond its surroundings, where
-/// positive blocks keep them apart.
-bool areApart(const Quad &p, const Quad &q, bool touch, double margin, int depth) {
-  if (separated(p, q, touch ? margin : -margin)) return true;
-  if (depth == 0) return touch;
-  for (const Quad &a : quarters(p))
-    for (const Quad &b : quarters(q))
-      if (!areApart(a, b, touch, margin, depth - 1)) return false;
-  return true;
-}
+constexpr std::size_t kCrossings = 8; // that are named
+constexpr int kSamples = 3;            // along each direction inside of a block's face
 
 void checkEmbedding(const BlockInput<3> &in, const BlockComplex<3> &complex, Certificate &certificate) {
-  struct Face {
-    double low, high;
-    Index index;
+  QuadSurface surface{in.blocks.positions, {}};
+  for (const Index f : complex.boundary) surface.faces.push_back(complex.faces[at(f)].cycle);
+  const auto blockAt = [&](Index face) { return complex.faces[at(complex.boundary[at(face)])].block; };
+  for (const auto &[a, b] : crossingFaces(surface, 1e-12 * in.mesh.size, kCrossings))
+    certificate.fail(Check::features, "the blocks' boundary could not be shown not to cross itself",
+                     {{"block", blockAt(a)}, {"block", blockAt(b)}});
+  if (!certificate.passed[static_cast<std::size_t>(Check::features)]) return;
+  for (const WrongShell &shell : wrongShells(surface))
+    certificate.fail(Check::features,
+                     shell.isKnown ? "just outside of a block's boundary face there are blocks already, " +
+                                         std::to_string(shell.layers) + " layer(s)"
+                                   : "nothing could tell whether blocks lie inside of one another",
+                     {{"block", blockAt(shell.face)}});
+}
+
+/// How thick the domain is behind a face of a block: through the row of blocks to where it ends at a facet.
+double columnBehind(const BlockInput<3> &in, const BlockComplex<3> &complex, const BlockFace<3> &face) {
+  const auto middle = [&](Index block, int local) {
+    Vec<3> sum{0.0};
+    for (int k = 0; k < 4; ++k)
+      sum += in.blocks.positions[at(in.blocks.blocks[at(block)][at(faceCorner<3>(local, k))])];
+    return sum / 4.0;
   };
-  std::vector<Face> faces;
-  for (const Index f : complex.boundary) {
-    Face face{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), f};
-    for (const Index node : complex.faces[at(f)].cycle) {
-      face.low = std::min(face.low, in.blocks.positions[at(node)].x);
-      face.high = std::max(face.high, in.blocks.positions[at(node)].x);
-    }
-    faces.push_back(face);
+  double length = 0;
+  Index block = face.block;
+  int local = face.local;
+  for (Index n = 0; n < in.blocks.blockCount(); ++n) { // a wrong complex might lead around in a circle
+    length += glm::length(middle(block, local ^ 1) - middle(block, local));
+    const Index next = complex.behind[at(6 * block + (local ^ 1))];
+    if (next == kNone || in.blocks.tags[at(block)][at(local ^ 1)] != kNone) break;
+    block = next / 6;
+    local = next % 6;
   }
-  sortItems(faces,
-            [](const Face &a, const Face &b) { return a.low != b.low ? a.low < b.low : a.index < b.index; });
-  const double margin = 1e-12 * in.mesh.size;
-  const auto quadOf = [&](Index f) {
-    Quad quad;
-    for (std::size_t k = 0; k < 4; ++k) quad[k] = in.blocks.positions[at(complex.faces[at(f)].cycle[k])];
-    return quad;
+  return length;
+}
+
+void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Certificate &certificate) {
+  const auto patchOf = [&](Index tag) { return in.mesh.sideKey(tag) / 2; };
+  const auto isBentTag = [&](Index tag) {
+    if (tag == kNone) return false;
+    const Surface<3> &surface = in.mesh.surfaces[at(FaceTag::surface(tag))];
+    return surface.kind == SurfaceKind::facet && surface.bent;
   };
-  for (std::size_t a = 0; a < faces.size(); ++a) {
-    const BlockFace<3> &first = complex.faces[at(faces[a].index)];
-    const Quad p = quadOf(faces[a].index);
-    for (std::size_t b = a + 1; b < faces.size() && faces[b].low <= faces[a].high + margin; ++b) {
-      const BlockFace<3> &second = complex.faces[at(faces[b].index)];
-      const bool touch = std::any_of(first.key.begin(), first.key.end(), [&](Index node) {
-        return std::binary_search(second.key.begin(), second.key.end(), node);
-      });
-      if (!areApart(p, quadOf(faces[b].index), touch, margin, 5))
-        certificate.fail(Check::features, "the blocks' boundary could not be shown not to cross itself",
-                         {{"block", first.block}, {"block", second.block}});
+  std::vector<SideFace> faces;
+  for (const BlockFace<3> &face : complex.faces)
+    if (isBentTag(face.tag))
+      faces.push_back({face.cycle, patchOf(face.tag), face.block,
+                       faceSize(in.blocks.positions, face.cycle, columnBehind(in, complex, face))});
+  std::vector<SideTriangle> triangles;
+  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+    for (int i = 0; i < 4; ++i) {
+      const Index tag = in.mesh.tags[at(s)][i];
+      if (!isBentTag(tag) || in.mesh.neighbors[at(s)][i] > s) continue;
+      SideTriangle &triangle = triangles.emplace_back(SideTriangle{{}, patchOf(tag)});
+      for (std::size_t k = 0; k < 3; ++k)
+        triangle.corners[k] = in.mesh.nodes[at(in.mesh.sortedFace(s, i)[k])];
     }
+  SideMeasures measures = measureSides(in.blocks.positions, faces, triangles, kSamples);
+  for (const FaceFault &fault : measures.faults) {
+    const SideFace &face = faces[at(fault.face)];
+    certificate.fail(Check::features,
+                     "block " + std::to_string(face.owner) + " strays from the bent side of facet " +
+                         std::to_string(face.patch) +
+                         (fault.isTurning ? ", which turns by " + scientific(fault.value) + " degrees in its face"
+                                          : " by " + scientific(fault.value) + " of its size"),
+                     {{"block", face.owner}, {"facet", face.patch}});
   }
+  certificate.fidelity.sides = std::move(measures.sides);
 }
 
 } // namespace
@@ -177,7 +161,8 @@ void checkEmbedding(const BlockInput<3> &in, const BlockComplex<3> &complex, Cer
 void checkBentSides(const BlockInput<3> &in, const BlockComplex<3> &complex, double tolerance,
                     Certificate &certificate) {
   checkNodes(in, complex, tolerance, certificate);
-  if (!certificate.isExact) checkEmbedding(in, complex, certificate);
+  checkEmbedding(in, complex, certificate);
+  checkFidelity(in, complex, certificate);
 }
 
 } // namespace dualblock

@@ -1,5 +1,8 @@
 #include "certificate/certificate.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "base/parallel.h"
 #include "certificate/checks.h"
 
@@ -14,6 +17,12 @@ void Certificate::fail(Check check, std::string message, std::vector<EntityRef> 
   if (same < kListed) failures.push_back({check, std::move(message), std::move(entities)});
 }
 
+std::string scientific(double x) {
+  char text[32]; // a stream would bring 28 kB (gzip) of locales into the module
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
 namespace {
 
 /// By Check, each a certificate of its own, for they may be made at the same time; the first one holds what
@@ -25,6 +34,7 @@ Certificate &of(Findings &findings, Check check) { return findings[static_cast<s
 Certificate joined(Findings &findings) {
   Certificate all = of(findings, Check::geometry); // with what it measured
   all.features = std::move(of(findings, Check::features).features);
+  all.fidelity = std::move(of(findings, Check::features).fidelity);
   all.failures.clear();
   for (const Certificate &one : findings) {
     for (std::size_t k = 0; k < all.passed.size(); ++k) all.passed[k] = all.passed[k] && one.passed[k];
@@ -32,6 +42,20 @@ Certificate joined(Findings &findings) {
     all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
   }
   return all;
+}
+
+/// Completes what was measured of bent sides by the whole mesh's figures.
+void summarizeFidelity(const Certificate &geometry, Certificate &features) {
+  Fidelity &fidelity = features.fidelity;
+  for (const SideFidelity &side : fidelity.sides) {
+    fidelity.largestDistance = std::max(fidelity.largestDistance, side.distance);
+    fidelity.largestTurning = std::max(fidelity.largestTurning, side.turning);
+  }
+  if (geometry.isExact) return;
+  fidelity.volumeDifference = geometry.meshMeasure / geometry.domainMeasure - 1;
+  if (!(std::abs(fidelity.volumeDifference) <= kMostVolumeDifference))
+    features.fail(Check::features, "the blocks' volume differs from the domain's by " +
+                                       scientific(fidelity.volumeDifference) + " of it");
 }
 
 /// Checks 3 to 5.
@@ -43,6 +67,7 @@ template <int N> void checkBlocks(const BlockInput<N> &in, Findings &findings) {
   checkFeatures(in, complex, of(findings, Check::features));
   topology.finish();
   geometry.finish();
+  summarizeFidelity(of(findings, Check::geometry), of(findings, Check::features));
 }
 
 } // namespace

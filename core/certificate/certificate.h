@@ -5,6 +5,7 @@
 #include <string>
 
 #include "blocks/block_mesh.h"
+#include "certificate/fidelity.h"
 #include "domain/domain.h"
 
 namespace dualblock {
@@ -23,6 +24,14 @@ struct FeatureCount {
   Index actual;
 };
 
+/// How near the blocks come to a domain with bent sides; zeros where they are the domain.
+struct Fidelity {
+  double largestDistance = 0;      // between bent sides and faces, curves and edges: a share of the local size
+  double largestTurning = 0;       // degrees, of a side in a face, or of a curve along an edge
+  double volumeDifference = 0;     // of the blocks' volume from the domain's, as a share of that
+  std::vector<SideFidelity> sides; // the bent ones
+};
+
 struct Certificate {
   std::array<bool, 5> passed{true, true, true, true, true}; // by Check
   std::vector<CertificateFailure> failures;                 // the first few of each check
@@ -31,6 +40,7 @@ struct Certificate {
   double meshMeasure = 0;             // the same of the blocks, exactly integrated
   bool isExact = true;                // the two agree; where sides are bent, blocks may cut corners
   double worstCoefficient = 0;        // smallest Bezier coefficient over its block's largest
+  Fidelity fidelity;
   std::vector<FeatureCount> features; // per domain curve, in the order of CertificateInput::curves
 
   void fail(Check check, std::string message, std::vector<EntityRef> entities = {});

@@ -74,10 +74,12 @@ void checkCurves(const BlockInput<3> &input, const std::vector<Crease> &creases,
                  Certificate &certificate);
 void checkCurves(const BlockInput<2> &input, const std::vector<Crease> &creases, double tolerance,
                  Certificate &certificate);
-/// Of check 5, where sides are bent: nodes on them lie on their facets, and no part of the boundary meets
-/// another.
+/// Of check 5, where sides are bent: nodes on them lie on their facets, no part of the boundary meets
+/// another, and faces stay near their sides.
 void checkBentSides(const BlockInput<3> &input, const BlockComplex<3> &complex, double tolerance,
                     Certificate &certificate);
+
+std::string scientific(double x);
 
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the
 /// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest.

@@ -90,17 +90,48 @@ double distanceAlong(const Course::Stretch &s, const Vec<3> &x, double &along) {
   return glm::length(x - (s.from + t * d));
 }
 
+/// What an edge of the mesh stands for: the course from one of its nodes to the other.
+struct Span {
+  std::array<Index, 2> nodes;
+  std::vector<Vec<3>> course;
+};
+
 /// What followsCourse works with, kept from one curve to the next.
 struct Links {
+  std::vector<Span> spans; // of the course that was followed last, if it bends
   std::vector<std::array<Place, 2>> all;
   std::vector<std::pair<double, Index>> order; // of one piece
   std::vector<std::array<Index, 2>> joined, wanted;
 };
 
+/// What the edges between neighbours in a piece's `order` stand for, where it bends at all.
+void addSpans(const BlockInput<3> &in, const Course &course, Index piece,
+              const std::vector<std::pair<double, Index>> &order, std::vector<Span> &spans) {
+  std::vector<const Course::Stretch *> stretches;
+  for (const Course::Stretch &s : course.stretches)
+    if (s.piece == piece) stretches.push_back(&s);
+  if (stretches.size() < 2) return;
+  const auto addTo = [&](Span &span, double from, double to) { // the course's points strictly between
+    for (const Course::Stretch *s : stretches)
+      if (s->start > from && s->start < to) span.course.push_back(s->from);
+  };
+  const double length = course.lengths[at(piece)];
+  for (std::size_t k = 0; k + (course.closed[at(piece)] ? 0 : 1) < order.size(); ++k) {
+    const auto &[from, a] = order[k];
+    const auto &[to, b] = order[(k + 1) % order.size()];
+    Span span{{a, b}, {in.blocks.positions[at(a)]}};
+    addTo(span, from, to > from ? to : length);
+    if (to <= from) addTo(span, -1, to);
+    span.course.push_back(in.blocks.positions[at(b)]);
+    if (span.course.size() > 2) spans.push_back(std::move(span));
+  }
+}
+
 /// Whether the creases join the course's nodes in their order, all around or from end to end.
 bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *begin, const Crease *end,
                    double tolerance, Links &links) {
-  auto &[all, order, joined, wanted] = links;
+  auto &[spans, all, order, joined, wanted] = links;
+  spans.clear();
   all.clear();
   for (const Crease *c = begin; c != end; ++c) {
     // The piece that holds both nodes best: nodes where pieces meet lie on several.
@@ -156,8 +187,33 @@ bool followsCourse(const BlockInput<3> &in, const Course &course, const Crease *
     sortItems(wanted);
     sortItems(joined);
     if (wanted != joined) return false;
+    addSpans(in, course, piece, order, spans);
   }
   return true;
+}
+
+/// Edges along curves stand for what is between their nodes.
+void checkSpans(const std::vector<Span> &spans, const std::array<Index, 2> &keys, Certificate &certificate) {
+  Fidelity &fidelity = certificate.fidelity;
+  for (const Span &span : spans) {
+    const double sag = sagOf(span.course);
+    const double turning = turningOf(span.course);
+    fidelity.largestDistance = std::max(fidelity.largestDistance, sag);
+    fidelity.largestTurning = std::max(fidelity.largestTurning, turning);
+    if (sag <= kMostDistance && turning <= kMostTurning) continue;
+    const std::string strays = turning > kMostTurning
+                                   ? "turns by " + scientific(turning) + " degrees along it"
+                                   : "is up to " + scientific(sag) + " of its length away";
+    certificate.fail(Check::features,
+                     "the edge between nodes " + std::to_string(span.nodes[0]) + " and " +
+                         std::to_string(span.nodes[1]) + " strays from the curve between facets " +
+                         std::to_string(keys[0] / 2) + " and " + std::to_string(keys[1] / 2) + ", which " +
+                         strays,
+                     {{"node", span.nodes[0]},
+                      {"node", span.nodes[1]},
+                      {"facet", keys[0] / 2},
+                      {"facet", keys[1] / 2}});
+  }
 }
 
 template <int N> std::array<Index, 2> keysOf(const BlockInput<N> &in, const Curve<N> &curve) {
@@ -201,6 +257,7 @@ void checkCurves(const BlockInput<3> &in, const std::vector<Crease> &creases, do
     course.follow(in.featureNodes, ridges);
     if (first == last || !followsCourse(in, course, first, last, tolerance, links))
       failCurve<3>(keys, certificate);
+    else checkSpans(links.spans, keys, certificate);
   }
   if (known != creases.size())
     certificate.fail(Check::features, "blocks meet along a curve that the domain does not have");

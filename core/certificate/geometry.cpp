@@ -195,12 +195,6 @@ template <int N> double domainMeasure(const BlockInput<N> &in, double &surface) 
 /// agreement.
 constexpr double kMostAllowed = 0.01;
 
-std::string scientific(double x) {
-  char text[32]; // a stream would bring 28 kB (gzip) of locales into the module
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 /// Sign (see jacobianSign) and ratio of the smallest to the largest coefficient of a block's determinant.
 template <int N>
 int signOf(const Bernstein<kJacobian<N>> &p, const std::array<Vec<N>, 1 << N> &corners, double &ratio) {

@@ -57,12 +57,19 @@ template <typename ForEdges> Index countEdges(std::size_t nodes, ForEdges forEdg
   return count;
 }
 
-/// Whether two faces of the same nodes are one: the nodes beside the first one in its cycle are so in the
-/// other.
+/// How two faces of the same nodes run around them.
+enum class Sense : std::uint8_t { opposite, alike, twisted };
+
+/// Faces run counter-clockwise as seen from outside of their blocks: two blocks on opposite sides of one run
+/// around it in opposite directions, and the order of nodes alone tells (2D: along it).
 template <std::size_t Size>
-bool isSameCycle(const std::array<Index, Size> &a, const std::array<Index, Size> &b) {
+Sense senseOf(const std::array<Index, Size> &a, const std::array<Index, Size> &b) {
   const auto first = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
-  return sortedPair(a[1], a[Size - 1]) == sortedPair(b[(first + 1) % Size], b[(first + Size - 1) % Size]);
+  if constexpr (Size == 2) return first == 1 ? Sense::opposite : Sense::alike;
+  const Index next = b[(first + 1) % Size];
+  const Index last = b[(first + Size - 1) % Size];
+  if (next == a[Size - 1] && last == a[1]) return Sense::opposite;
+  return next == a[1] && last == a[Size - 1] ? Sense::alike : Sense::twisted;
 }
 
 /// nodes - edges + triangles - tetrahedra, counted one by one.
@@ -201,8 +208,12 @@ void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
   for (std::size_t f = 0; f + 1 < complex.faces.size(); ++f) {
     if (!complex.areTwins(f, f + 1)) continue;
     pairs.push_back({complex.faces[f].block, complex.faces[f + 1].block});
-    if (!isSameCycle(complex.faces[f].cycle, complex.faces[f + 1].cycle))
-      certificate.fail(Check::topology, "faces of two blocks have the same nodes, but not in the same order",
+    if (const Sense sense = senseOf(complex.faces[f].cycle, complex.faces[f + 1].cycle);
+        sense != Sense::opposite)
+      certificate.fail(Check::topology,
+                       sense == Sense::alike
+                           ? "two blocks lie on the same side of the face that they share"
+                           : "faces of two blocks have the same nodes, but not in the same order",
                        {{"block", complex.faces[f].block}, {"block", complex.faces[f + 1].block}});
     if (f + 2 < complex.faces.size() && complex.areTwins(f, f + 2))
       certificate.fail(Check::topology, "three blocks share a face",

@@ -5,6 +5,7 @@
 
 #include "geometry/bent_placement.h"
 #include "geometry/jacobian.h"
+#include "geometry/orientation.h"
 #include "geometry/untangle.h"
 
 namespace dualblock {
@@ -113,18 +114,10 @@ void placeNodes(const ReferenceMesh<N> &mesh, const Parts<N> &parts, const DualC
   primal.positions.clear();
   for (const Index piece : primal.nodePiece) primal.positions.push_back(placer.place(dual.pieces[at(piece)]));
   if constexpr (N == 3) followBentSides(mesh, parts, dual, primal);
+  orientBlocks(primal);
   std::vector<Index> bad;
   for (std::size_t b = 0; b < primal.blocks.size(); ++b) {
-    Block<N> &block = primal.blocks[b];
-    const auto coefficients = [&] {
-      return jacobianCoefficients<N>(cornersOf<N>(block.nodes, primal.positions));
-    };
-    auto c = coefficients();
-    if (std::accumulate(c.begin(), c.end(), 0.0) < 0) { // mirrored: exchange two axes
-      std::swap(block.sides[0], block.sides[1]);
-      for (std::size_t k = 1; k < block.nodes.size(); k += 4) std::swap(block.nodes[k], block.nodes[k + 2]);
-      c = coefficients();
-    }
+    const auto c = jacobianCoefficients<N>(cornersOf<N>(primal.blocks[b].nodes, primal.positions));
     if (*std::min_element(c.begin(), c.end()) <= 0) bad.push_back(toIndex(b));
   }
   untangle(mesh, parts, dual, std::move(bad), primal);

@@ -1,0 +1,269 @@
+#include "certificate/fidelity.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/box_tree.h"
+#include "base/sort.h"
+
+namespace dualblock {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kPieces = 2;         // along each direction of a face, for distances from it
+constexpr int kMostDivisions = 6;  // of a side's triangle, along each edge, for samples
+constexpr double kSliver = 0.02;   // of what a face stands for: normals of less area mean nothing
+constexpr std::size_t kFewest = 8; // segments of a chain that count as they are
+
+using Triangle = std::array<Vec<3>, 3>;
+
+/// Square of the distance of a point from a triangle, by Voronoi regions.
+double squareTo(const Triangle &t, const Vec<3> &x) {
+  const Vec<3> ab = t[1] - t[0];
+  const Vec<3> ac = t[2] - t[0];
+  const Vec<3> normal = glm::cross(ab, ac);
+  const double square = glm::dot(normal, normal);
+  bool isInside = square > 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec<3> d = t[(k + 1) % 3] - t[k];
+    const Vec<3> to = x - t[k];
+    isInside = isInside && glm::dot(glm::cross(normal, d), to) >= 0;
+    const double length = glm::dot(d, d);
+    const Vec<3> gap = to - (length > 0 ? std::clamp(glm::dot(to, d) / length, 0.0, 1.0) : 0.0) * d;
+    least = std::min(least, glm::dot(gap, gap));
+  }
+  const double height = glm::dot(normal, x - t[0]);
+  return isInside ? height * height / square : least;
+}
+
+Box boxOf(const Triangle &t) {
+  Box box;
+  for (const Vec<3> &x : t) box.add(x);
+  return box;
+}
+
+Vec<3> pointOf(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q, double u, double v) {
+  return (1 - u) * (1 - v) * x[at(q[0])] + u * (1 - v) * x[at(q[1])] + u * v * x[at(q[2])] +
+         (1 - u) * v * x[at(q[3])];
+}
+
+/// The largest angle between directions of some area: by the extreme ones in all octants' directions.
+double spreadOf(const std::vector<std::pair<Vec<3>, double>> &normals) {
+  double area = 0;
+  for (const auto &n : normals) area += n.second;
+  std::vector<Vec<3>> extreme;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      for (int k = -1; k <= 1; ++k) {
+        if (i == 0 && j == 0 && k == 0) continue;
+        // The direction beyond which there is no more than a sliver.
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t n = 0; n < normals.size(); ++n)
+          order.emplace_back(-glm::dot(normals[n].first, Vec<3>(i, j, k)), n);
+        sortItems(order);
+        double beyond = 0;
+        for (const auto &[height, n] : order) {
+          beyond += normals[n].second;
+          if (beyond <= kSliver * area) continue;
+          extreme.push_back(normals[n].first);
+          break;
+        }
+      }
+  double least = 1;
+  for (const Vec<3> &a : extreme)
+    for (const Vec<3> &b : extreme) least = std::min(least, glm::dot(a, b));
+  return std::acos(std::clamp(least, -1.0, 1.0)) * kDegrees;
+}
+
+/// One side: its triangles, and the faces that stand for it.
+class SideMeter {
+public:
+  SideMeter(const std::vector<Vec<3>> &positions, std::span<const SideFace> faces,
+            std::span<const SideTriangle> triangles)
+      : positions_(positions), faces_(faces), triangles_(triangles), distance_(faces.size(), 0),
+        turning_(faces.size(), 0) {
+    for (const SideFace &face : faces) meanSize_ += face.size / static_cast<double>(faces.size());
+  }
+
+  void measure(int samples) {
+    fromFaces(samples);
+    fromTriangles();
+  }
+
+  double distance(std::size_t face) const { return distance_[face]; }
+  double turning(std::size_t face) const { return turning_[face]; }
+
+private:
+  void fromFaces(int samples) {
+    std::vector<Box> boxes;
+    for (const SideTriangle &t : triangles_) boxes.push_back(boxOf(t.corners));
+    const BoxTree tree(boxes);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (int i = 0; i <= samples + 1; ++i)
+        for (int j = 0; j <= samples + 1; ++j) {
+          if (i % (samples + 1) == 0 && j % (samples + 1) == 0) continue; // nodes lie on it: another check
+          const Vec<3> x = pointOf(positions_, faces_[f].nodes, static_cast<double>(i) / (samples + 1),
+                                   static_cast<double>(j) / (samples + 1));
+          const double square =
+              tree.nearest(x, std::numeric_limits<double>::infinity(),
+                           [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
+          distance_[f] = std::max(distance_[f], std::sqrt(square) / faces_[f].size);
+        }
+  }
+
+  void fromTriangles() {
+    std::vector<Triangle> pieces; // of faces, 2 kPieces^2 of each
+    std::vector<Box> boxes;
+    for (const SideFace &face : faces_)
+      for (int i = 0; i < kPieces; ++i)
+        for (int j = 0; j < kPieces; ++j) {
+          const auto x = [&](int u, int v) {
+            return pointOf(positions_, face.nodes, static_cast<double>(u) / kPieces,
+                           static_cast<double>(v) / kPieces);
+          };
+          for (const Triangle &t : {Triangle{x(i, j), x(i + 1, j), x(i + 1, j + 1)},
+                                    Triangle{x(i, j), x(i + 1, j + 1), x(i, j + 1)}}) {
+            pieces.push_back(t);
+            boxes.push_back(boxOf(t));
+          }
+        }
+    const BoxTree tree(boxes);
+    std::vector<std::vector<std::pair<Vec<3>, double>>> normals(faces_.size());
+    const auto nearestFace = [&](const Vec<3> &x, double &distance) {
+      std::size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      tree.nearest(x, least, [&](Index p) {
+        const double square = squareTo(pieces[at(p)], x);
+        if (square < least) {
+          least = square;
+          nearest = at(p) / (2 * kPieces * kPieces);
+        }
+        return square;
+      });
+      distance = std::sqrt(least);
+      return nearest;
+    };
+    for (const SideTriangle &t : triangles_) {
+      const Vec<3> across = glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
+      if (!(glm::length(across) > 0)) continue;
+      double longest = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        longest = std::max(longest, glm::length(t.corners[(k + 1) % 3] - t.corners[k]));
+      const int n = std::clamp(static_cast<int>(std::ceil(4 * longest / meanSize_)), 1, kMostDivisions);
+      const auto x = [&](double a, double b) {
+        return t.corners[0] + a / n * (t.corners[1] - t.corners[0]) + b / n * (t.corners[2] - t.corners[0]);
+      };
+      double gap = 0;
+      for (int a = 0; a <= n; ++a)
+        for (int b = 0; a + b <= n; ++b) {
+          const std::size_t f = nearestFace(x(a, b), gap);
+          distance_[f] = std::max(distance_[f], gap / faces_[f].size);
+        }
+      const Vec<3> unit = glm::normalize(across);
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; a + b < n; ++b)
+          normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)].emplace_back(
+              unit, glm::length(across) / (n * n));
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (normals[f].size() > 1) turning_[f] = spreadOf(normals[f]);
+  }
+
+  const std::vector<Vec<3>> &positions_;
+  std::span<const SideFace> faces_;
+  std::span<const SideTriangle> triangles_;
+  double meanSize_ = 0;
+  std::vector<double> distance_, turning_;
+};
+
+} // namespace
+
+double faceSize(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q, double column) {
+  const double u = glm::length(pointOf(x, q, 1, 0.5) - pointOf(x, q, 0, 0.5));
+  const double v = glm::length(pointOf(x, q, 0.5, 1) - pointOf(x, q, 0.5, 0));
+  return std::min(std::max(u, v), column);
+}
+
+SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vector<SideFace> &faces,
+                          const std::vector<SideTriangle> &triangles, int samples) {
+  SideMeasures measures;
+  std::vector<SideFace> facesByPatch = faces;
+  std::vector<Index> order(faces.size()); // of `faces`, in the same order
+  for (std::size_t f = 0; f < faces.size(); ++f) order[f] = toIndex(f);
+  sortItems(order, [&](Index a, Index b) { return faces[at(a)].patch < faces[at(b)].patch; });
+  for (std::size_t f = 0; f < order.size(); ++f) facesByPatch[f] = faces[at(order[f])];
+  std::vector<SideTriangle> trianglesByPatch = triangles;
+  sortItems(trianglesByPatch,
+            [](const SideTriangle &a, const SideTriangle &b) { return a.patch < b.patch; });
+  std::size_t firstTriangle = 0;
+  for (std::size_t begin = 0, end = 0; begin < facesByPatch.size(); begin = end) {
+    SideFidelity side{facesByPatch[begin].patch};
+    while (end < facesByPatch.size() && facesByPatch[end].patch == side.patch) ++end;
+    while (firstTriangle < trianglesByPatch.size() && trianglesByPatch[firstTriangle].patch < side.patch)
+      ++firstTriangle;
+    std::size_t lastTriangle = firstTriangle;
+    while (lastTriangle < trianglesByPatch.size() && trianglesByPatch[lastTriangle].patch == side.patch)
+      ++lastTriangle;
+    SideMeter meter(positions, {facesByPatch.data() + begin, end - begin},
+                    {trianglesByPatch.data() + firstTriangle, lastTriangle - firstTriangle});
+    meter.measure(samples);
+    for (std::size_t f = begin; f < end; ++f) {
+      const double distance = meter.distance(f - begin);
+      const double turning = meter.turning(f - begin);
+      side.distance = std::max(side.distance, distance);
+      side.turning = std::max(side.turning, turning);
+      if (!(distance <= kMostDistance)) measures.faults.push_back({order[f], distance, false});
+      if (turning > kMostTurning) measures.faults.push_back({order[f], turning, true});
+    }
+    measures.sides.push_back(side);
+  }
+  sortItems(measures.faults, [](const FaceFault &a, const FaceFault &b) { return a.face < b.face; });
+  return measures;
+}
+
+double turningOf(std::span<const Vec<3>> chain) {
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) length += glm::length(chain[k + 1] - chain[k]);
+  // Many segments: every other point, evenly spaced, so that jags of single ones even out.
+  std::vector<Vec<3>> points;
+  const std::size_t count = std::max(kFewest, (chain.size() - 1) / 2);
+  if (chain.size() - 1 <= kFewest) {
+    points.assign(chain.begin(), chain.end());
+  } else {
+    points.push_back(chain.front());
+    double before = 0;
+    for (std::size_t k = 0, n = 1; k + 1 < chain.size() && n < count; ++k) {
+      const double step = glm::length(chain[k + 1] - chain[k]);
+      for (; n < count && length * static_cast<double>(n) / static_cast<double>(count) <= before + step; ++n)
+        points.push_back(chain[k] + (length * static_cast<double>(n) / static_cast<double>(count) - before) /
+                                        step * (chain[k + 1] - chain[k]));
+      before += step;
+    }
+    points.push_back(chain.back());
+  }
+  double turning = 0;
+  Vec<3> last(0.0);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vec<3> d = points[k + 1] - points[k];
+    if (!(glm::length(d) > 1e-9 * length)) continue;
+    const Vec<3> unit = glm::normalize(d);
+    if (last != Vec<3>(0.0)) turning += std::acos(std::clamp(glm::dot(last, unit), -1.0, 1.0)) * kDegrees;
+    last = unit;
+  }
+  return turning;
+}
+
+double sagOf(std::span<const Vec<3>> chain) {
+  const Vec<3> d = chain.back() - chain.front();
+  const double square = glm::dot(d, d);
+  if (!(square > 0)) return std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const Vec<3> &x : chain) {
+    const double t = std::clamp(glm::dot(x - chain.front(), d) / square, 0.0, 1.0);
+    most = std::max(most, glm::length(x - chain.front() - t * d));
+  }
+  return most / std::sqrt(square);
+}
+
+} // namespace dualblock

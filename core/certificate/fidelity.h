@@ -1,0 +1,62 @@
+// How well straight faces stand for the bent sides that they approximate.
+#pragma once
+
+#include <span>
+
+#include "base/types.h"
+
+namespace dualblock {
+
+// What a block mesh may differ by from its domain. A third of a turn is the most that one straight edge can
+// stand for: its distance from an arc is then 0.29 of its length, and it still leads the way the arc does.
+inline constexpr double kMostTurning = 120;         // degrees, of a curve along an edge, of a side in a face
+inline constexpr double kMostDistance = 0.3;        // of the face's or edge's own size, or of the blocks behind it
+inline constexpr double kMostVolumeDifference = 0.4; // of the domain's volume; four faces around a cylinder: 0.36
+
+/// Of one bent side, by its patch, or of all of them (kNone).
+struct SideFidelity {
+  Index patch = kNone;
+  double distance = 0; // the largest between faces and side, both ways, as a share of the local size
+  double turning = 0;  // degrees: the largest angle between normals of the side within what one face stands for
+};
+
+/// A mesh's face on a bent side.
+struct SideFace {
+  std::array<Index, 4> nodes; // in a cycle
+  Index patch;
+  Index owner; // block or element, for messages
+  double size; // what distances are measured by: see faceSize
+};
+
+struct SideTriangle {
+  std::array<Vec<3>, 3> corners;
+  Index patch;
+};
+
+struct FaceFault {
+  Index face;
+  double value; // of what is beyond its bound
+  bool isTurning;
+};
+
+struct SideMeasures {
+  std::vector<SideFidelity> sides; // by patch
+  std::vector<FaceFault> faults;   // faces beyond a bound, in their order
+};
+
+/// The longer of the lines through the middles of a face's opposite edges, or the blocks' `column` behind it
+/// where that is shorter: through a thin wall a mesh has to follow its sides as closely as the wall is thin.
+double faceSize(const std::vector<Vec<3>> &positions, const std::array<Index, 4> &nodes, double column);
+
+/// Distances and turning between faces and sides. `samples`: points along each direction of a face, besides its
+/// rim.
+SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vector<SideFace> &faces,
+                          const std::vector<SideTriangle> &triangles, int samples);
+
+/// Degrees that a chain of points turns by, in all: jags of single segments do not count where there are many.
+double turningOf(std::span<const Vec<3>> chain);
+
+/// The largest distance between a chain and the segment between its ends, as a share of that segment.
+double sagOf(std::span<const Vec<3>> chain);
+
+} // namespace dualblock
