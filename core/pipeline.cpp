@@ -20,6 +20,8 @@ namespace {
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;    // then all components fall back
+constexpr Index kCheapToRecut = 60000;  // simplices of a cut mesh, up to which it is cut finer where that serves
+constexpr double kFinestTurns = 1.0 / 8; // CutPolicy::turns: blocks of no more than 9 degrees each
 constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
@@ -150,12 +152,39 @@ template <int N>
   return blame;
 }
 
-/// From the parts that were chosen to a mesh with its certificate. Components that this blames go down the
-/// ladder of the fallback, if they may. False if they may not, or there is no coarsest mesh for them.
+/// The domain cut anew by policies, one per component.
+template <int N> using Recut = std::function<PartProposal<N>(std::vector<CutPolicy>)>;
+
+/// Where components that are cut strayed from their bent sides, or could not be told apart from themselves:
+/// cut finer; nothing where that would not be cheap, has been done often enough, or none is cut.
+template <int N>
+std::optional<PartProposal<N>> cutFiner(const PipelineResult<N> &r, std::vector<CutPolicy> policies,
+                                        const std::vector<PartSource> &source, const Recut<N> &recut) {
+  if (!recut || r.mesh.simplexCount() > kCheapToRecut) return std::nullopt;
+  const std::vector<bool> blame = blamed(r, source);
+  bool isAny = false;
+  for (std::size_t c = 0; c < policies.size(); ++c) {
+    if (!blame[c] || source[c] != PartSource::cuts) continue;
+    if (policies[c].turns <= kFinestTurns) return std::nullopt;
+    policies[c].turns /= 2;
+    isAny = true;
+  }
+  if (!isAny) return std::nullopt;
+  PartProposal<N> proposal = recut(std::move(policies));
+  for (std::size_t c = 0; c < source.size(); ++c) {
+    if (source[c] == PartSource::cuts && proposal.choice.source[c] != PartSource::cuts) return std::nullopt;
+    proposal.choice.source[c] = source[c];
+  }
+  return proposal;
+}
+
+/// From the parts that were chosen to a mesh with its certificate. Components that this blames are cut finer,
+/// where there is a `recut`, and then go down the ladder of the fallback, if they may. False if they may not,
+/// or there is no coarsest mesh for them.
 template <int N>
 [[gnu::noinline]] bool meshParts(PipelineResult<N> &r, PartChoice<N> choice, bool mayFallBack,
                                  const PipelineOptions &options, const CoarseMesh<N> &coarse,
-                                 StageClock &clock) {
+                                 const Recut<N> &recut, StageClock &clock) {
   Decomposition<N> &decomposition = choice.decomposition;
   const auto takeParts = [&] {
     r.parts = std::move(decomposition.parts);
@@ -208,6 +237,20 @@ template <int N>
         r.certificate = {};
         continue;
       }
+    if (built)
+      if (std::optional<PartProposal<N>> finer = cutFiner(r, choice.policies, source, recut)) {
+        clock.start("parts", 0.4);
+        r.mesh = std::move(finer->mesh);
+        choice.policies = std::move(finer->choice.policies);
+        decomposition = std::move(finer->choice.decomposition);
+        takeParts();
+        source = std::move(finer->choice.source);
+        r.repairs = 0;
+        everyFace.clear();
+        partOptions = {};
+        r.certificate = {};
+        continue;
+      }
     if (!mayFallBack) return false;
     if (r.fallbackComponents == r.mesh.componentCount) {
       if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
@@ -255,7 +298,7 @@ template <int N>
   for (PartProposal<N> &proposal : proposals) {
     PipelineResult<N> other = common;
     other.mesh = std::move(proposal.mesh);
-    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, inner)) continue;
+    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, {}, inner)) continue;
     candidates.push_back(figuresOf(other));
     others.push_back(std::move(other));
   }
@@ -358,7 +401,12 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   ReferenceMesh<N> cut = std::exchange(r.mesh, {}); // proposals bring their own
   const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
   r.mesh = std::move(cut);
-  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
+  Recut<N> recut;
+  if (r.bentSides > 0)
+    recut = [&](std::vector<CutPolicy> policies) {
+      return cutParts<N>(uncut, r.features, cutOptions, needCoarse, std::move(policies));
+    };
+  if (!meshParts(r, std::move(choice), true, options, needCoarse, recut, clock)) return *coarseError;
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
   if (mayPropose && !wantsShape) {
     if (falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);

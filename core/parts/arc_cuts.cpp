@@ -8,13 +8,16 @@
 namespace dualblock {
 namespace {
 
-const double kLeastCosine = std::cos(70 * std::numbers::pi / 180);
-const double kHollowCosine = std::cos(30 * std::numbers::pi / 180);
-constexpr double kNearMiddle = 0.8; // cosine: corners that are this near to the middle attract a cut
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostLean = 70 * kDegree;   // of a side's normals from their mean: a half cylinder's do by 90
+constexpr double kHollowLean = 30 * kDegree; // where hollow sides count
+constexpr double kNearMiddle = 37 * kDegree; // corners that are this near to the middle attract a cut
+constexpr double kMostTurn = 240 * kDegree;  // of a curve, whose halves get an edge each
 
-/// Whether a side turns away from its mean normal too far: by 70 degrees, a half cylinder does by 90; where
-/// hollow sides count, by 30 if it is one.
+/// Whether a side turns away from its mean normal too far.
 bool turnsTooFar(const PartView &v, Index side) {
+  const double leastCosine = std::cos(v.turns * kMostLean);
+  const double hollowCosine = std::cos(v.turns * kHollowLean);
   struct Facet {
     Vec<3> place, normal;
     double area;
@@ -39,8 +42,8 @@ bool turnsTooFar(const PartView &v, Index side) {
   double spread = 0; // below 0 where normals converge
   for (const Facet &f : facets) {
     const double cosine = glm::dot(f.normal, mean.normal);
-    beyond += cosine < kLeastCosine ? f.area : 0;
-    hollow += cosine < kHollowCosine ? f.area : 0;
+    beyond += cosine < leastCosine ? f.area : 0;
+    hollow += cosine < hollowCosine ? f.area : 0;
     spread += f.area * glm::dot(f.place - mean.place, f.normal - mean.normal);
   }
   return beyond > 0.02 * mean.area || (v.cutsHollows && spread < 0 && hollow > 0.02 * mean.area);
@@ -87,7 +90,7 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   const auto flat = [&](const Vec<3> &x) { return x - glm::dot(x, axis.direction) * axis.direction; };
   middle = glm::normalize(flat(middle));
   Vec<3> towards = middle;
-  double nearest = kNearMiddle;
+  double nearest = std::cos(v.turns * kNearMiddle);
   const auto attract = [&](const Vec<3> &x) {
     const Vec<3> d = flat(x - axis.centre);
     if (glm::length(d) <= kOnAxis * v.mesh.size) return;
@@ -107,7 +110,42 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
                   halfOf(v, chain, axis, towards)};
 }
 
+/// Square to a chain half way of what it turns by; nothing where that is no more than it may.
+std::optional<std::pair<double, Proposal>> acrossChain(const PartView &v, const Chain &chain) {
+  std::vector<double> turned(chain.nodes.size(), 0); // up to each node and at it
+  const auto direction = [&](std::size_t k) {
+    return glm::normalize(v.node(chain.nodes[k + 1]) - v.node(chain.nodes[k]));
+  };
+  for (std::size_t k = 1; k + 1 < chain.nodes.size(); ++k)
+    turned[k] =
+        turned[k - 1] + std::acos(std::clamp(glm::dot(direction(k - 1), direction(k)), -1.0, 1.0));
+  if (chain.nodes.size() < 3) return std::nullopt;
+  const double all = turned[chain.nodes.size() - 2];
+  if (all <= v.turns * kMostTurn) return std::nullopt;
+  std::size_t middle = 1;
+  while (turned[middle] < 0.5 * all) ++middle;
+  return std::pair(all, Proposal{planeSurface(v.node(chain.nodes[middle]), direction(middle - 1) + direction(middle)),
+                                 {chain.nodes[middle]}});
+}
+
 } // namespace
+
+std::vector<Proposal> following(const PartView &v) {
+  std::vector<std::pair<double, Proposal>> ranked;
+  for (const Curve<3> *curve : v.curves) {
+    const bool isGiven = v.isGiven(curve->sides[0]) && v.isGiven(curve->sides[1]);
+    if (!isGiven) continue;
+    for (const Chain &chain : chainsOf(*curve))
+      if (!chain.closed)
+        if (auto across = acrossChain(v, chain)) ranked.push_back(std::move(*across));
+  }
+  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::vector<Proposal> list;
+  for (auto &[turn, proposal] : ranked) list.push_back(std::move(proposal));
+  if (v.turns < 1)
+    for (Proposal &proposal : shaping(v)) list.push_back(std::move(proposal));
+  return list;
+}
 
 std::vector<Proposal> shaping(const PartView &v) {
   std::vector<Proposal> list;

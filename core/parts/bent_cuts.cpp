@@ -280,11 +280,11 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 
 } // namespace
 
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                  const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   for (const auto propose :
-       {smoothing, simplifying, shaping}) { // all parts are simple before any is bettered
+       {smoothing, simplifying, following, shaping}) { // all parts are simple before any is bettered
     PartView v{mesh, parts, 0, {}, {}, options.axes};
     std::size_t curve = 0;
     std::size_t corner = 0;
@@ -296,12 +296,16 @@ bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOpt
       for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
         v.corners.push_back(&parts.corners[corner]);
       if (gaveUp[at(component[at(v.part)])]) continue;
-      v.cutsHollows = !options.policies.empty() && options.policies[at(component[at(v.part)])].isLast;
+      if (!options.policies.empty()) {
+        v.cutsHollows = options.policies[at(component[at(v.part)])].isLast;
+        v.turns = options.policies[at(component[at(v.part)])].turns;
+      }
       for (const Proposal &proposal : propose(v))
-        if (carryOut(mesh, v, proposal, options)) return true;
+        if (carryOut(mesh, v, proposal, options))
+          return propose == shaping ? CutReason::shape : CutReason::needed;
     }
   }
-  return false;
+  return CutReason::none;
 }
 
 } // namespace dualblock

@@ -13,9 +13,13 @@ struct BentCutOptions : CutOptions {
   std::vector<Plane<3>> refused;       // planes not to cut along
 };
 
-/// Looks for the first part that a bent side keeps from being simple, or one with a side that turns too far,
-/// and cuts it. Components that gave up are passed over. Returns whether a cut was made.
-bool cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
+/// What a cut is made for.
+enum class CutReason : std::uint8_t { none, needed, shape };
+
+/// Looks for the first part that a bent side keeps from being simple, or whose blocks could not follow it, or
+/// one with a side that turns too far, and cuts it. Components that gave up are passed over. Returns why a cut
+/// was made, if one was.
+CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                  const std::vector<bool> &gaveUp);
 
 } // namespace dualblock

@@ -29,6 +29,7 @@ struct PartView {
   std::vector<const Corner *> corners;
   const std::vector<Axis> &axes; // of the domain's own curves
   bool cutsHollows = false;      // CutPolicy::isLast
+  double turns = 1;              // CutPolicy::turns
 
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
   /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
@@ -70,6 +71,11 @@ std::optional<Proposal> throughCrease(const PartView &part, Index side);
 
 /// What would make a part's shape better: planes across sides that turn too far.
 std::vector<Proposal> shaping(const PartView &part);
+
+/// What a part needs for its blocks to follow it: planes square to curves that turn further than the two edges
+/// that stand for them may, the furthest first; and where the part's sides may turn less than usual, those of
+/// `shaping`.
+std::vector<Proposal> following(const PartView &part);
 
 /// Where a plane nearly holds or halves axes of the domain, or is square to one where another meets it, the
 /// one that does: nodes near which surfaces touch are inexact, and planes by them would leave slivers.

@@ -93,7 +93,8 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   for (int round = 0; round < kBentRounds; ++round) {
     ReferenceMesh<3> before = mesh;
     const bool areSimple = std::find(simple.begin(), simple.end(), false) == simple.end();
-    if (!cutBentPart(mesh, result.parts, bentOptions, isDone)) break;
+    const CutReason reason = cutBentPart(mesh, result.parts, bentOptions, isDone);
+    if (reason == CutReason::none) break;
     Parts<3> parts = buildParts(mesh, PartOptions{});
     const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
     bool isWorse = false;
@@ -103,7 +104,7 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
       mesh = std::move(before);
       continue;
     }
-    if (areSimple && !result.early)
+    if (areSimple && reason == CutReason::shape && !result.early)
       result.early = std::make_shared<EarlyParts>(
           EarlyParts{std::move(before), std::move(result.parts), result.bentCuts});
     ++result.bentCuts;
