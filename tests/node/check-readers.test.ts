@@ -18,7 +18,7 @@ const read = (extension: string, input: Input): Mesh => meshReader(`a.${extensio
 const readDomain = (extension: string, input: Input) => domainReader(`a.${extension}`)(bytesOf(input));
 
 const files: Record<string, Input> = {};
-const extensions = ['vtk', 'vtu', 'msh', 'mesh', 'json'];
+const extensions = ['vtk', 'vtu', 'msh', 'mesh', 'inp', 'json'];
 beforeAll(async () => {
   const core = await startCore();
   for (const name of ['house', 'l_shape_2d', 'box_on_box']) {
@@ -87,7 +87,7 @@ const types = vtk.lastIndexOf('CELL_TYPES');
 
 describe('wrong mesh files', () => {
   it.each<[string, string, Input, ErrorCode, RegExp, number?]>([
-    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.msh \.mesh \.json/],
+    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.msh \.mesh \.inp \.json/],
     ['an empty .vtk', 'vtk', '', 'fileEmpty', /holds nothing/],
     ['an empty .mesh', 'mesh', ' \n\n', 'fileEmpty', /holds nothing/],
     ['an empty .json', 'json', '\n', 'fileEmpty', /holds nothing/],
