@@ -28,7 +28,7 @@ export interface Mesh {
 export interface BlockRegions {
   /** A number for each block; blocks with equal numbers are in one region. Not empty, and any whole numbers. */
   ofBlock: Int32Array;
-  /** What the file calls a region, by its number; regions without a name are absent. */
+  /** What the file calls a region, by its number; regions without a name are absent. Abaqus' are in capitals. */
   names: ReadonlyMap<number, string>;
   /**
    * True where numbers are the domain's own for its regions: from cell data `region`, from groups and sets all called
