@@ -45,7 +45,10 @@ POINT_DATA 8
     expect(mesh).toEqual({
       ...cube,
       name: 'vtk output',
-      notes: ['3 cell(s) of fewer dimensions were left out'],
+      notes: [
+        '3 cell(s) of fewer dimensions were left out',
+        'the data from line 30 on was not understood, and left out',
+      ],
     });
     expect(read('vtk', text.replaceAll('\n', '\r\n')).blocks).toEqual(cube.blocks);
     expect(read('vtk', text.toLowerCase().replace('ascii', 'Ascii')).blocks).toEqual(cube.blocks);

@@ -1,4 +1,5 @@
 // The checker's reader of .vtu files: other layouts than ours, and wrong files, refused with line and remedy.
+import { deflateSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { readVtu } from '../../wasm/check/read-vtu.ts';
 import type { ErrorCode } from '../../wasm/error-codes.ts';
@@ -53,6 +54,106 @@ describe('files of other programs', () => {
   });
 });
 
+describe('compressed and encoded arrays', () => {
+  /** Two squares with all arrays in their tags; `encode` makes one from bytes. */
+  const inline = (encode: (data: Buffer) => string, attributes = ''): string => {
+    const array = (attributes: string, values: ArrayBufferView): string =>
+      `<DataArray ${attributes} format="binary">\n  ${encode(Buffer.from(values.buffer))}\n</DataArray>\n`;
+    const { positions, blocks } = twoSquares;
+    const points = Array.from({ length: 6 }, (_, i) => [...positions.subarray(2 * i, 2 * i + 2), 0]).flat();
+    return `<VTKFile type="UnstructuredGrid" ${attributes}><UnstructuredGrid>
+<Piece NumberOfPoints="6" NumberOfCells="2">
+<Points>${array('type="Float64"', Float64Array.from(points))}</Points>
+<Cells>${array('type="Int32" Name="connectivity"', blocks)}${array('type="Int32" Name="offsets"', Int32Array.of(4, 8))}
+${array('type="UInt8" Name="types"', Uint8Array.of(9, 9))}</Cells>
+<CellData>${array('type="Int16" Name="region" NumberOfComponents="1"', Int16Array.of(-2, 5))}
+${array('type="Int16" Name="gmsh:physical" NumberOfComponents="2"', Int16Array.of(1, 2, 3, 4))}</CellData>
+</Piece></UnstructuredGrid></VTKFile>`;
+  };
+  const words = (...values: number[]): Buffer => Buffer.from(Uint32Array.from(values).buffer);
+  const base64 = (...pieces: Buffer[]): string => Buffer.concat(pieces).toString('base64');
+  const squares = { ...read(ours), regions: expect.objectContaining({ ofBlock: Int32Array.of(-2, 5) }) };
+  /** In pieces of 16 bytes; `edit` spoils what is written. */
+  const zipped = (edit: (head: number[], pieces: Buffer[]) => void = () => {}) =>
+    inline((data) => {
+      const count = Math.ceil(data.length / 16);
+      const pieces = Array.from({ length: count }, (_, i) => deflateSync(data.subarray(16 * i, 16 * i + 16)));
+      const header = [count, 16, data.length % 16, ...pieces.map((piece) => piece.length)];
+      edit(header, pieces);
+      return base64(words(...header)) + base64(...pieces);
+    }, `compressor="vtkZLibDataCompressor"`);
+
+  it('in one piece of base64, or with the length by itself', () => {
+    expect(read(inline((data) => base64(words(data.length), data)))).toEqual(squares);
+    expect(read(inline((data) => base64(words(data.length)) + base64(data)))).toEqual(squares);
+    expect(read(inline((data) => base64(words(data.length), data).replace(/.{7}/g, '$&\n ')))).toEqual(
+      squares,
+    );
+  });
+
+  it('in compressed pieces', () => {
+    expect(read(zipped())).toEqual(squares);
+  });
+
+  it.each<[string, string, ErrorCode, RegExp]>([
+    [
+      'a length that is too great',
+      inline((data) => base64(words(data.length + 1), data)),
+      'fileTruncated',
+      /ends before the array "Points"/,
+    ],
+    ['a huge length', inline((data) => base64(words(4e9), data)), 'fileTruncated', /"Points"/],
+    [
+      'a length that is too small',
+      inline((data) => base64(words(8), data)),
+      'syntax',
+      /8 bytes instead of 144/,
+    ],
+    ['no base64', inline((data) => `*${base64(words(data.length), data)}`), 'fileTruncated', /"Points"/],
+    ['no data', inline(() => ''), 'fileTruncated', /"Points"/],
+    ['a huge number of pieces', zipped((head) => head.splice(0, 1, 4e9)), 'fileTruncated', /"Points"/],
+    ['a huge piece', zipped((head) => head.splice(1, 1, 4e9)), 'syntax', /piece 0 .* 4000000000 bytes/],
+    [
+      'a piece that holds more',
+      zipped((head) => head.splice(1, 1, 15)),
+      'syntax',
+      /not what zlib makes of 15/,
+    ],
+    [
+      'a piece that holds less',
+      zipped((head) => head.splice(1, 1, 17)),
+      'syntax',
+      /not what zlib makes of 17/,
+    ],
+    ['a piece of nothing', zipped((head) => head.splice(3, 1, 0)), 'syntax', /piece 0 .*not what zlib makes/],
+    [
+      'a changed piece',
+      zipped((_, pieces) => pieces.at(-1)!.writeUInt8(pieces.at(-1)!.at(-1)! ^ 1, pieces.at(-1)!.length - 1)),
+      'syntax',
+      /not what zlib makes/,
+    ],
+    ['too few pieces', zipped((head) => head.splice(0, 1, 0)), 'syntax', /0 bytes instead of 144/],
+    ['an end in an array', zipped().slice(0, 300), 'fileTruncated', /"Points"/],
+  ])('%s', (_, text, code, message) => {
+    expect(errorOf(() => read(text))).toMatchObject({
+      code,
+      message: expect.stringMatching(message),
+      entities: [{ kind: 'line', index: 3 }],
+    });
+  });
+
+  it('regions that are none are noted', () => {
+    const text = inline((data) => base64(words(data.length), data)).replace(
+      '"Int16" Name="region"',
+      '"Float16"',
+    );
+    expect(read(text).regions).toBeUndefined();
+    const halves = ours.replace('Name="quality"', 'Name="region"');
+    expect(read(halves)).toMatchObject({ notes: [expect.stringMatching(/"region" is not a whole number/)] });
+    expect(read(halves).regions).toBeUndefined();
+  });
+});
+
 /** The text with a byte of an array changed: the one at `index` behind the length of the array with this offset. */
 function withByte(name: string, index: number, value: number): string {
   const offset = Number(new RegExp(`Name="${name}".* offset="(\\d+)"`).exec(ours)?.[1]);
@@ -71,17 +172,38 @@ describe('wrong files', () => {
       /"PolyData".*unstructured/,
       2,
     ],
-    ['big endian', changed('LittleEndian', 'BigEndian'), 'syntax', /byte_order is "BigEndian"/, 2],
+    ['another byte order', changed('LittleEndian', 'Middle'), 'syntax', /byte_order is "Middle"/, 2],
+    ['a wrong byte order', changed('LittleEndian', 'BigEndian'), 'fileTruncated', /"Points"/, 6],
     [
-      'compressed',
-      changed('header_type', 'compressor="vtkZLibDataCompressor" header_type'),
+      'another compressor',
+      changed('header_type', 'compressor="vtkLZ4DataCompressor" header_type'),
       'syntax',
-      /compress/,
+      /"vtkLZ4DataCompressor"; compress it with zlib/,
       2,
     ],
+    [
+      'not compressed, but said to be',
+      changed('header_type', 'compressor="vtkZLibDataCompressor" header_type'),
+      'fileTruncated',
+      /"Points"/,
+      6,
+    ],
     ['another header', changed('UInt64', 'UInt16'), 'syntax', /header_type is "UInt16"/, 2],
-    ['base64', changed('encoding="raw"', 'encoding="base64"'), 'syntax', /save them raw/, 20],
-    ['no appended data', ours.slice(0, ours.indexOf('<Appended')), 'fileTruncated', /no <AppendedData>/, 20],
+    [
+      'another encoding',
+      changed('encoding="raw"', 'encoding="hex"'),
+      'syntax',
+      /"hex"; it is raw or base64/,
+      20,
+    ],
+    [
+      'raw, but said to be base64',
+      changed('encoding="raw"', 'encoding="base64"'),
+      'fileTruncated',
+      /"Points"/,
+      6,
+    ],
+    ['no appended data', ours.slice(0, ours.indexOf('<Appended')), 'fileTruncated', /"Points"/, 6],
     ['no underscore', changed('\n_', '\n'), 'syntax', /no underscore/, 20],
     ['tags that cross', changed('</Points>', '</Cells>'), 'syntax', /<\/Cells> closes "Points"/, 7],
     ['two pieces', changed('</Piece>', '</Piece><Piece a="1"/>'), 'syntax', /a second <Piece>/, 18],
@@ -96,12 +218,20 @@ describe('wrong files', () => {
       11,
     ],
     [
-      'an array as text',
-      changed('format="appended"', 'format="ascii"'),
+      'an array of another format',
+      changed('"appended"', '"csv"'),
       'syntax',
-      /"Points" is not appended/,
+      /"Points" is of the format "csv"/,
       6,
     ],
+    [
+      'no text for an array',
+      changed('"appended"', '"ascii"'),
+      'syntax',
+      /"Points" holds 0 numbers instead of 18/,
+      6,
+    ],
+    ['no base64 for an array', changed('"appended"', '"binary"'), 'fileTruncated', /"Points"/, 6],
     ['an unknown type', changed('Float64', 'String'), 'syntax', /of type "String"/, 6],
     ['no offset', changed('offset="0"', ''), 'syntax', /no offset/, 6],
     ['an offset behind the end', changed('offset="0"', 'offset="99999"'), 'fileTruncated', /"Points"/, 6],

@@ -9,6 +9,7 @@ import type { ErrorCode } from '../../wasm/error-codes.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
 import { cells, grid, randomNumbers, vtkOf } from './support/block-meshes.ts';
 import { errorOf, exampleBytes, runExample, startCore } from './support/core.ts';
+import { blockLines } from './support/same-mesh.ts';
 import { asFiles, box } from './support/solids.ts';
 import { bytesOf, type Input } from './support/surface-files.ts';
 import { meshWriter } from './support/writers.ts';
@@ -17,10 +18,10 @@ const read = (extension: string, input: Input): Mesh => meshReader(`a.${extensio
 const readDomain = (extension: string, input: Input) => domainReader(`a.${extension}`)(bytesOf(input));
 
 const files: Record<string, Input> = {};
-const extensions = ['vtk', 'vtu', 'msh', 'mesh', 'json'];
+const extensions = ['vtk', 'vtu', 'msh', 'mesh', 'inp', 'json'];
 beforeAll(async () => {
   const core = await startCore();
-  for (const name of ['house', 'l_shape_2d']) {
+  for (const name of ['house', 'l_shape_2d', 'box_on_box']) {
     const result = runExample(core, name);
     for (const extension of extensions) files[`${name}.${extension}`] = meshWriter(`a.${extension}`)(result);
   }
@@ -34,6 +35,30 @@ describe('our own files', () => {
       expect(mesh.dimension).toBe(name === 'house' ? 3 : 2);
       expect(mesh.points).toEqual(meshes[0]?.points);
       expect(mesh.blocks).toEqual(meshes[0]?.blocks);
+    }
+  });
+});
+
+describe('regions', () => {
+  it('of an assembly are the same in every format that has them', () => {
+    const whole = read('vtk', files['box_on_box.vtk'] ?? '');
+    expect(new Set(whole.regions?.ofBlock)).toEqual(new Set([1, 2]));
+    for (const extension of extensions) {
+      const mesh = read(extension, files[`box_on_box.${extension}`] ?? '');
+      if (extension === 'mesh') {
+        expect(mesh.regions).toBeUndefined();
+        continue;
+      }
+      expect(mesh.regions?.isNumbered).toBe(true);
+      expect(blockLines(mesh, whole)).toEqual(blockLines(whole, whole));
+    }
+  });
+
+  it('of a single solid are absent or one', () => {
+    for (const extension of extensions) {
+      const { regions } = read(extension, files[`house.${extension}`] ?? '');
+      expect(regions?.isNumbered ?? false).toBe(false);
+      expect(new Set(regions?.ofBlock).size).toBeLessThan(2);
     }
   });
 });
@@ -62,14 +87,21 @@ const types = vtk.lastIndexOf('CELL_TYPES');
 
 describe('wrong mesh files', () => {
   it.each<[string, string, Input, ErrorCode, RegExp, number?]>([
-    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.msh \.mesh \.json/],
+    ['an unknown extension', 'stl', 'solid', 'formatUnknown', /\.vtk \.vtu \.msh \.mesh \.inp \.json/],
     ['an empty .vtk', 'vtk', '', 'fileEmpty', /holds nothing/],
     ['an empty .mesh', 'mesh', ' \n\n', 'fileEmpty', /holds nothing/],
     ['an empty .json', 'json', '\n', 'fileEmpty', /holds nothing/],
     ['bytes', 'vtk', Uint8Array.of(35, 32, 0, 200), 'syntax', /zero byte/, 1],
     ['words', 'vtk', 'hello world', 'syntax', /no legacy VTK/, 1],
-    ['version 5.1', 'vtk', vtk.replace('3.0', '5.1'), 'versionUnknown', /4\.2/, 1],
-    ['binary', 'vtk', vtk.replace('ASCII', 'BINARY'), 'syntax', /save it as text/, 3],
+    ['version 5.2', 'vtk', vtk.replace('3.0', '5.2'), 'versionUnknown', /5\.1/, 1],
+    [
+      'another coding',
+      'vtk',
+      vtk.replace('ASCII', 'OCTAL'),
+      'syntax',
+      /"OCTAL" instead of ASCII or BINARY/,
+      3,
+    ],
     [
       'another dataset',
       'vtk',

@@ -26,12 +26,13 @@ export function readMedit(bytes: Uint8Array): Mesh {
   readVersion(words);
   let dimension = 0;
   let points: number[] | null = null;
-  let cellLine = 1;
+  let refuse = words.refuser();
   const cells: Cell[] = [];
   for (let word = words.next(); word !== undefined; word = words.next()) {
     const keyword = word.toLowerCase();
     const kind = Object.hasOwn(kCells, keyword) ? kCells[keyword] : undefined;
-    if (keyword === 'end') return blocksOfCells('', needPoints(points, words), cells, cellLine);
+    if (keyword === 'end')
+      return blocksOfCells({ name: '', points: needPoints(points, words), cells, refuse });
     if (isNumberWord(word))
       throw words.refuse(`${quote(word)} stands where a keyword should`, 'check the counts');
     if (keyword === 'dimension') {
@@ -42,7 +43,7 @@ export function readMedit(bytes: Uint8Array): Mesh {
       if (dimension === 0) throw words.refuse('Vertices stands before Dimension', 'give the dimension first');
       points = readVertices(words, dimension);
     } else if (kind) {
-      cellLine = words.line;
+      refuse = words.refuser();
       readCells(words, keyword, kind, needPoints(points, words).length / 3, cells);
     } else {
       while (isNumberWord(words.peek() ?? '')) words.next();

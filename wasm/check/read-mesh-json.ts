@@ -1,8 +1,16 @@
 // The block mesh in dualblock's own JSON, "dualblock-mesh/1": of all that the file holds, the nodes and blocks.
 import { DualblockError } from '../io/errors.ts';
 import { syntaxError } from '../io/text-lines.ts';
-import { arrayMember, finiteNumber, indexBelow, objectMember, parseJsonObject } from './json-file.ts';
-import { blockCorners, type Mesh } from './mesh.ts';
+import { regionsOfData } from './block-regions.ts';
+import {
+  arrayMember,
+  finiteNumber,
+  indexBelow,
+  type JsonObject,
+  objectMember,
+  parseJsonObject,
+} from './json-file.ts';
+import { type BlockRegions, blockCorners, type Mesh } from './mesh.ts';
 
 /** Reads the mesh. Throws `fileEmpty`, `syntax`, `versionUnknown`, `notFinite` or `indexOutOfRange`. */
 export function readMeshJson(bytes: Uint8Array): Mesh {
@@ -36,5 +44,25 @@ export function readMeshJson(bytes: Uint8Array): Mesh {
   const blocks = Int32Array.from(ids, (id, i) =>
     indexBelow(id, nodes, 'node', 'block', Math.floor(i / corners)),
   );
-  return { dimension, name: typeof name === 'string' ? name : '', points, blocks, notes: [] };
+  const regions = regionsOf(file, arrays);
+  return {
+    dimension,
+    name: typeof name === 'string' ? name : '',
+    points,
+    blocks,
+    notes: [],
+    ...(regions && regions.ofBlock.length === blocks.length / corners ? { regions } : {}),
+  };
+}
+
+/** The regions by the blocks' parts; null where there is one only, or none that can be told. */
+function regionsOf(file: JsonObject, arrays: JsonObject): BlockRegions | null {
+  const ofPart = (file['parts'] as JsonObject | null | undefined)?.['region'];
+  const parts = arrays['blockPart'];
+  if (!Array.isArray(ofPart) || !Array.isArray(parts)) return null;
+  if (ofPart.every((region) => region === ofPart[0])) return null;
+  return regionsOfData(
+    parts.map((part) => Number(ofPart[part])),
+    'parts',
+  );
 }

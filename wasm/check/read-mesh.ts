@@ -1,6 +1,7 @@
 // The door to the readers of block meshes.
 import { DualblockError } from '../io/errors.ts';
 import type { Mesh } from './mesh.ts';
+import { readAbaqus } from './read-abaqus.ts';
 import { readGmsh } from './read-gmsh.ts';
 import { readMedit } from './read-medit.ts';
 import { readMeshJson } from './read-mesh-json.ts';
@@ -12,6 +13,7 @@ const readers: Record<string, (bytes: Uint8Array) => Mesh> = {
   vtu: readVtu,
   msh: readGmsh,
   mesh: readMedit,
+  inp: readAbaqus,
   json: readMeshJson,
 };
 

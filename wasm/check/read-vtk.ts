@@ -1,50 +1,49 @@
-// Legacy VTK files of unstructured grids, as text, by whatever program wrote them.
+// Legacy VTK files of unstructured grids, as text and binary, by whatever program wrote them.
 import { DualblockError } from '../io/errors.ts';
 import { quote } from '../io/text-lines.ts';
-import { blockCorners, type Mesh } from './mesh.ts';
-import { blocksOfCells, type Cell } from './mixed-cells.ts';
+import { ByteWords } from './byte-words.ts';
+import type { Mesh } from './mesh.ts';
+import { blocksOfCells } from './mixed-cells.ts';
+import type { NumberTypeName } from './number-types.ts';
+import { vtkCell, vtkRegions } from './vtk-cells.ts';
+import { readField, readVtkData, skipMetadata, vtkType } from './vtk-data.ts';
+import type { WordSource } from './word-source.ts';
 import { Words } from './words.ts';
 
-const kCellNames: Record<number, string> = {
-  10: 'a tetrahedron',
-  11: 'a voxel',
-  13: 'a wedge',
-  14: 'a pyramid',
-};
-/** Lower types are points, lines and polygons. */
-const kQuad = 9;
-const kHexahedron = 12;
-/** From here on types are polygons. */
-const kTriangle = 5;
-
 /**
- * Reads a block mesh from VTK text, versions 2.0 to 4.2. Hexahedra make a mesh in 3D, where points, lines and polygons
- * are left out; quadrilaterals alone make one in 2D. Data of points, cells and fields is skipped. Throws `fileEmpty`,
- * `syntax`, `versionUnknown`, `fileTruncated`, `notFinite` or `indexOutOfRange` with the line.
+ * Reads a block mesh from a legacy VTK file, versions 2.0 to 5.1, text or binary (which is big endian). Hexahedra make a
+ * mesh in 3D, where points, lines and polygons are left out; quadrilaterals alone make one in 2D. Data of points, cells and
+ * fields is skipped, but for regions. Throws `fileEmpty`, `syntax`, `versionUnknown`, `fileTruncated`, `notFinite` or
+ * `indexOutOfRange` with the line, or the byte.
  */
 export function readVtk(bytes: Uint8Array): Mesh {
-  const words = new Words(bytes, 'VTK');
-  const name = readHeader(words);
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, kLongestStart));
+  const isBinary = /^[^\n]*\n[^\n]*\n\s*BINARY\s/i.test(start);
+  const words = isBinary ? new ByteWords(bytes, false) : new Words(bytes, 'VTK');
+  const { name, version } = readHeader(words);
   let points: number[] | null = null;
   let lists: number[][] | null = null;
   let types: number[] | null = null;
-  let cellLine = 1;
+  let refuse = words.refuser();
+  const notes: string[] = [];
   while (!(points && lists && types)) {
     const keyword = words.need('POINTS, CELLS or CELL_TYPES').toUpperCase();
     if (keyword === 'POINTS') {
       points = readPoints(words);
     } else if (keyword === 'CELLS') {
       if (!points) throw words.refuse('CELLS stands before POINTS', 'put the points first');
-      cellLine = words.line;
-      lists = readCells(words, points.length / 3);
+      refuse = words.refuser();
+      lists = version < 5 ? readCells(words, points.length / 3) : readCells5(words, points.length / 3);
     } else if (keyword === 'CELL_TYPES') {
       types = [];
       const count = words.count('the number of cell types');
-      for (let cell = 0; cell < count; cell++) types.push(words.integer(`the type of cell ${cell}`));
+      words.beginNumbers();
+      for (let cell = 0; cell < count; cell++) types.push(words.integer(`the type of cell ${cell}`, 'int32'));
     } else if (keyword === 'FIELD') {
-      skipField(words);
+      if (!readField(words))
+        throw words.refuse('a field is of a type without numbers', 'save it without fields');
     } else if (keyword === 'METADATA') {
-      while (words.restOfLine().trim() !== '');
+      skipMetadata(words);
     } else {
       throw words.refuse(
         `${quote(keyword)} stands where POINTS, CELLS or CELL_TYPES should`,
@@ -58,26 +57,37 @@ export function readVtk(bytes: Uint8Array): Mesh {
       'give each cell one',
     );
   }
-  const cells = lists.map((nodes, cell) => cellOf(nodes, types[cell] ?? 0, cell, words));
-  return blocksOfCells(name, Float64Array.from(points), cells, cellLine);
+  const cells = lists.map((nodes, cell) => vtkCell(nodes, types[cell]!, cell, refuse));
+  const data = readVtkData(words, notes);
+  const mesh = blocksOfCells({
+    name,
+    points: Float64Array.from(points),
+    cells,
+    refuse,
+    regions: (blocks, _, notes) => vtkRegions(data, blocks, notes),
+  });
+  mesh.notes.push(...notes);
+  return mesh;
 }
+/** Bytes that hold the version, the title and the coding. */
+const kLongestStart = 1000;
 
-function readHeader(words: Words): string {
+function readHeader(words: WordSource): { name: string; version: number } {
   const version = /^# vtk DataFile Version (\d+)\.(\d+)/i.exec(words.restOfLine());
   if (!version)
     throw words.refuse('this is no legacy VTK file', 'it begins with "# vtk DataFile Version 3.0"');
-  if (Number(version[1]) > 4 || Number(version[1]) < 2) {
+  const [major, minor] = [Number(version[1]), Number(version[2])];
+  if (major < 2 || major > 5 || (major === 5 && minor > 1)) {
     throw new DualblockError(
       'versionUnknown',
-      `line 1: VTK version ${version[1]}.${version[2]} is not read; save it as legacy VTK 4.2 or older, as text`,
+      `line 1: VTK version ${major}.${minor} is not read; save it as version 5.1 or older`,
       [{ kind: 'line', index: 1 }],
     );
   }
   const name = words.restOfLine().trim();
-  const coding = words.need('ASCII');
-  if (coding.toUpperCase() !== 'ASCII') {
-    throw words.refuse(`the file says ${quote(coding)} instead of ASCII`, 'save it as text');
-  }
+  const coding = words.need('ASCII or BINARY');
+  if (!/^(ascii|binary)$/i.test(coding))
+    throw words.refuse(`the file says ${quote(coding)} instead of ASCII or BINARY`, 'correct it');
   const dataset = words.need('DATASET');
   const kind = words.need('UNSTRUCTURED_GRID');
   if (dataset.toUpperCase() !== 'DATASET' || kind.toUpperCase() !== 'UNSTRUCTURED_GRID') {
@@ -86,25 +96,36 @@ function readHeader(words: Words): string {
       'save it as DATASET UNSTRUCTURED_GRID',
     );
   }
-  return name;
+  return { name, version: major };
 }
 
-function readPoints(words: Words): number[] {
+/** The word that names a type of numbers. Throws `syntax`. */
+function readType(words: WordSource, what: string): NumberTypeName {
+  const word = words.need(what);
+  const type = vtkType(word);
+  if (type) return type;
+  throw words.refuse(`${quote(word)} stands where ${what} should`, 'write a type such as double or int');
+}
+
+function readPoints(words: WordSource): number[] {
   const count = words.count('the number of points');
-  words.need('the type of the points');
+  const type = readType(words, 'the type of the points');
+  words.beginNumbers();
   const points: number[] = [];
   for (let i = 0; i < 3 * count; i++)
-    points.push(words.coordinate({ kind: 'node', index: Math.floor(i / 3) }));
+    points.push(words.coordinate({ kind: 'node', index: Math.floor(i / 3) }, type));
   return points;
 }
 
-function readCells(words: Words, nodes: number): number[][] {
+/** Up to version 4.2: each cell with the number of its nodes in front. */
+function readCells(words: WordSource, nodes: number): number[][] {
   const count = words.count('the number of cells');
   const size = words.count('the size of the list of cells');
+  words.beginNumbers();
   const lists: number[][] = [];
   let used = 0;
   for (let cell = 0; cell < count; cell++) {
-    const corners = words.count(`the number of nodes of cell ${cell}`);
+    const corners = words.count(`the number of nodes of cell ${cell}`, 'int32');
     used += corners + 1;
     if (used > size)
       throw words.refuse(
@@ -113,7 +134,7 @@ function readCells(words: Words, nodes: number): number[][] {
       );
     const list: number[] = [];
     for (let i = 0; i < corners; i++)
-      list.push(words.reference('node', 0, nodes, { kind: 'cell', index: cell }));
+      list.push(words.reference('node', 0, nodes, { kind: 'cell', index: cell }, 'int32'));
     lists.push(list);
   }
   if (used !== size)
@@ -121,29 +142,49 @@ function readCells(words: Words, nodes: number): number[][] {
   return lists;
 }
 
-/** Arrays of any type before the points, such as a time. */
-function skipField(words: Words): void {
-  words.need('the name of a field');
-  const arrays = words.count('the number of arrays of a field');
-  for (let array = 0; array < arrays; array++) {
-    words.need('the name of an array');
-    const components = words.count('the number of components');
-    const tuples = words.count('the number of tuples');
-    words.need('the type of an array');
-    for (let i = 0; i < components * tuples; i++) words.need('a value of an array');
+/** From version 5.0 on: where each cell begins, one number more than there are cells, and the nodes of all. */
+function readCells5(words: WordSource, nodes: number): number[][] {
+  const count = words.count('the number of offsets');
+  const size = words.count('the number of nodes of all cells');
+  const lists: number[][] = [];
+  const offsetType = readArrayHead(words, 'OFFSETS');
+  const ends: number[] = [];
+  for (let i = 0; i < count; i++) {
+    const before = ends.at(-1) ?? 0;
+    const end = words.integer(`offset ${i}`, offsetType);
+    if (i === 0 ? end !== 0 : end < before || end > size) {
+      throw words.refuse(
+        `offset ${i} (counted from 0) is ${end}, after ${before}, of ${size} nodes of all cells`,
+        'offsets begin with 0 and ascend',
+      );
+    }
+    ends.push(end);
   }
+  if ((ends.at(-1) ?? 0) !== size)
+    throw words.refuse(
+      `the cells fill ${ends.at(-1) ?? 0} numbers instead of the ${size} announced`,
+      'correct it',
+    );
+  const type = readArrayHead(words, 'CONNECTIVITY');
+  for (let cell = 0; cell + 1 < count; cell++) {
+    const list: number[] = [];
+    for (let i = ends[cell]!; i < ends[cell + 1]!; i++)
+      list.push(words.reference('node', 0, nodes, { kind: 'cell', index: cell }, type));
+    lists.push(list);
+  }
+  return lists;
 }
 
-function cellOf(nodes: number[], type: number, cell: number, words: Words): Cell {
-  const dimension = type === kHexahedron ? 3 : type === kQuad ? 2 : null;
-  if (dimension === null) {
-    if (type >= 0 && type < kQuad) return { dimension: type < kTriangle ? 1 : 2, nodes, isBlock: false };
-    throw words.refuse(
-      `cell ${cell} is ${kCellNames[type] ?? `of type ${type}`}`,
-      'only hexahedra (type 12) or quadrilaterals (type 9) make a block mesh',
-    );
+/** The line before an array of a list of cells. Returns its type. */
+function readArrayHead(words: WordSource, name: string): NumberTypeName {
+  let word = words.need(name);
+  while (word.toUpperCase() === 'METADATA') {
+    skipMetadata(words);
+    word = words.need(name);
   }
-  if (nodes.length !== blockCorners(dimension))
-    throw words.refuse(`cell ${cell} of type ${type} has ${nodes.length} nodes`, 'correct it');
-  return { dimension, nodes, isBlock: true };
+  if (word.toUpperCase() !== name)
+    throw words.refuse(`${quote(word)} stands where ${name} should`, 'check the counts before it');
+  const type = readType(words, `the type of ${name}`);
+  words.beginNumbers();
+  return type;
 }

@@ -1,6 +1,8 @@
-// The tags of an XML file up to its binary part. No XML parser: text between tags and entities mean nothing here.
+// The tags of an XML file up to its binary part, and the text that stands in them. No XML parser: entities mean nothing
+// here.
 import { DualblockError } from '../io/errors.ts';
 import { quote, syntaxError } from '../io/text-lines.ts';
+import { emptyFile } from './word-source.ts';
 
 export interface Tag {
   name: string;
@@ -9,57 +11,66 @@ export interface Tag {
   attributes: ReadonlyMap<string, string>;
   /** 1-based. */
   line: number;
+  /** Where text stands in it, but not in tags within: pairs of the first byte and the one behind the last. */
+  text: [number, number][];
+  /** Whether its end was met. */
+  isClosed: boolean;
 }
-
-/** Bytes up to which the binary part has to begin. */
-const kLongestHead = 1 << 20;
 
 export class XmlHead {
   readonly tags: Tag[] = [];
-  /** The byte after the underscore that the binary part begins with. */
-  readonly bodyAt: number = 0;
+  /** The byte after the underscore that the binary part begins with; the file's length where there is no such part. */
+  readonly bodyAt: number;
 
-  /** Reads up to the tag `last` and the underscore behind it. Throws `fileEmpty`, `syntax` and `fileTruncated`. */
+  /** Reads up to the tag `last` and the underscore behind it, or to the end. Throws `fileEmpty`, `syntax`, `outOfMemory`. */
   constructor(bytes: Uint8Array, last: string) {
-    const text = new TextDecoder('latin1').decode(bytes.subarray(0, kLongestHead)); // a character per byte
-    if (text.trim() === '') {
-      throw new DualblockError('fileEmpty', 'the file holds nothing; write it again', [
-        { kind: 'file', index: 0 },
-      ]);
+    // The binary part is not decoded; the name of its tag may stand in a comment before.
+    let body: number | null = null;
+    for (let from = 0; body === null; ) {
+      const found = findTag(bytes, last, from);
+      body = this.readTags(decodeHead(bytes, found === null ? bytes.length : found + kLongestTag), last);
+      if (found === null) break;
+      from = found + 1;
     }
-    const open: string[] = [];
+    this.bodyAt = body ?? bytes.length;
+    if (this.tags[0]?.name !== 'VTKFile')
+      throw syntaxError(1, 'this is no XML file of VTK', 'it begins with <VTKFile ...>');
+  }
+
+  /** Returns where the binary part begins; null where `last` is not among the tags. */
+  private readTags(text: string, last: string): number | null {
+    this.tags.length = 0;
+    const open: Tag[] = [];
     const pattern =
       /<!--[\s\S]*?-->|<\?[\s\S]*?\?>|<(\/?)([A-Za-z][\w.-]*)((?:\s+[\w.:-]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*(\/?)>/g;
     let line = 1;
-    let counted = 0;
+    let end = 0; // of the latest match
+    let lineFeed = text.indexOf('\n');
     for (const match of text.matchAll(pattern)) {
-      for (; counted < match.index; counted++) if (text[counted] === '\n') line++;
+      for (; lineFeed >= 0 && lineFeed < match.index; lineFeed = text.indexOf('\n', lineFeed + 1)) line++;
+      if (end < match.index) open.at(-1)?.text.push([end, match.index]);
       const [whole, closing, name, attributes = '', single] = match;
+      end = match.index + whole.length;
       if (name === undefined) continue;
       if (closing) {
         const opened = open.pop();
-        if (opened !== name)
-          throw syntaxError(line, `</${name}> closes ${quote(opened ?? '')}`, 'correct it');
+        if (opened?.name !== name)
+          throw syntaxError(line, `</${name}> closes ${quote(opened?.name ?? '')}`, 'correct it');
+        opened.isClosed = true;
         continue;
       }
-      this.tags.push({ name, parent: open.at(-1) ?? '', attributes: attributesOf(attributes), line });
+      const parent = open.at(-1)?.name ?? '';
+      const isClosed = single !== '';
+      const tag: Tag = { name, parent, attributes: attributesOf(attributes), line, text: [], isClosed };
+      this.tags.push(tag);
       if (name === last) {
-        const body = match.index + whole.length;
-        const underscore = /^\s*_/.exec(text.slice(body));
+        const underscore = /^\s*_/.exec(text.slice(end));
         if (!underscore) throw syntaxError(line, `no underscore follows <${last}>`, 'write the file again');
-        this.bodyAt = body + underscore[0].length;
-        return;
+        return end + underscore[0].length;
       }
-      if (!single) open.push(name);
+      if (!isClosed) open.push(tag);
     }
-    if (this.tags[0]?.name !== 'VTKFile')
-      throw syntaxError(1, 'this is no XML file of VTK', 'it begins with <VTKFile ...>');
-    const end = text.split('\n').length;
-    throw new DualblockError(
-      'fileTruncated',
-      `line ${end}: there is no <${last}>; get the whole file, or save its arrays as appended raw data`,
-      [{ kind: 'line', index: end }],
-    );
+    return null;
   }
 
   /** The one tag of a name, inside of `parent` where that is given. Throws `syntax` for none and for several. */
@@ -94,6 +105,32 @@ export class XmlHead {
       'give one',
     );
   }
+}
+
+/** Bytes that hold a tag and the underscore behind it. */
+const kLongestTag = 1000;
+/** Longest text that fits into one string of every JavaScript engine in use. */
+const kLongestHead = 500_000_000;
+
+/** The text up to a byte, with a character per byte. */
+function decodeHead(bytes: Uint8Array, end: number): string {
+  if (end > kLongestHead) {
+    throw new DualblockError(
+      'outOfMemory',
+      `the XML of the file has more than the ${kLongestHead} bytes that it may have; save its arrays as appended raw data`,
+    );
+  }
+  const text = new TextDecoder('latin1').decode(bytes.subarray(0, end));
+  if (text.trim() === '') throw emptyFile();
+  return text;
+}
+
+/** Where `<name` stands, from a byte on. */
+function findTag(bytes: Uint8Array, name: string, from: number): number | null {
+  const wanted = new TextEncoder().encode(`<${name}`);
+  for (let at = bytes.indexOf(wanted[0]!, from); at >= 0; at = bytes.indexOf(wanted[0]!, at + 1))
+    if (wanted.every((byte, i) => bytes[at + i] === byte)) return at;
+  return null;
 }
 
 function attributesOf(text: string): Map<string, string> {

@@ -79,7 +79,7 @@ export function helpText(): string {
     '',
     'INPUT and DOMAIN, by extension: .json .off .stl .obj .ply .poly .smesh',
     'OUTPUT, by extension: .vtk .vtu .msh .mesh .inp .cgns .json, and blockMeshDict by its name',
-    'MESH, by extension: .vtk .vtu .msh .mesh .json',
+    'MESH, by extension: .vtk .vtu .msh .mesh .inp .json',
     '',
     ...rows,
     '',
