@@ -21,7 +21,7 @@ constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;    // then all components fall back
 constexpr Index kCheapToRecut = 60000;  // simplices of a cut mesh, up to which it is cut finer where that serves
-constexpr double kFinestTurns = 1.0 / 8; // CutPolicy::turns: blocks of no more than 9 degrees each
+constexpr double kFinestTurns = 1.0 / 16; // CutPolicy::turns: parts of 15 degrees, a facet each as tessellations go
 constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.

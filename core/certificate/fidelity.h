@@ -10,7 +10,7 @@ namespace dualblock {
 // What a block mesh may differ by from its domain. A third of a turn is the most that one straight edge can
 // stand for: its distance from an arc is then 0.29 of its length, and it still leads the way the arc does.
 inline constexpr double kMostTurning = 120;         // degrees, of a curve along an edge, of a side in a face
-inline constexpr double kMostDistance = 0.3;        // of the face's or edge's own size, or of the blocks behind it
+inline constexpr double kMostDistance = 1.0 / 3;    // of the face's or edge's own size, or of the blocks behind it
 inline constexpr double kMostVolumeDifference = 0.4; // of the domain's volume; four faces around a cylinder: 0.36
 
 /// Of one bent side, by its patch, or of all of them (kNone).

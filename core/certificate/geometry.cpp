@@ -216,8 +216,13 @@ int signOf(const Bernstein<kJacobian<N>> &p, const std::array<Vec<N>, 1 << N> &c
 
 } // namespace
 
-template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, double &ratio) {
-  return signOf<N>(determinant<N>(corners), corners, ratio);
+template <int N> int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, double &ratio, double *measure) {
+  const auto p = determinant<N>(corners);
+  if (measure) {
+    *measure = 0;
+    for (const double c : p.c) *measure += c / static_cast<double>(p.c.size());
+  }
+  return signOf<N>(p, corners, ratio);
 }
 
 template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certificate) {
@@ -227,9 +232,9 @@ template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certif
     std::array<Vec<N>, 1 << N> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
       corners[k] = in.blocks.positions[at(in.blocks.blocks[at(b)][k])];
-    const auto p = determinant<N>(corners);
     double ratio = 0;
-    const int sign = signOf<N>(p, corners, ratio);
+    double measure = 0;
+    const int sign = jacobianSign<N>(corners, ratio, &measure);
     certificate.worstCoefficient = std::min(certificate.worstCoefficient, ratio);
     if (sign <= 0)
       certificate.fail(Check::geometry,
@@ -237,9 +242,7 @@ template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certif
                            ? "block " + std::to_string(b) + " is inverted or flat at a point"
                            : "block " + std::to_string(b) + " could not be shown to be positive everywhere",
                        {{"block", b}});
-    double mean = 0;
-    for (const double c : p.c) mean += c;
-    sum += mean / static_cast<double>(p.c.size());
+    sum += measure;
   }
   double surface = 0;
   certificate.domainMeasure = domainMeasure(in, surface);
@@ -257,8 +260,8 @@ template <int N> void checkGeometry(const BlockInput<N> &in, Certificate &certif
                                           scientific(certificate.domainMeasure));
 }
 
-template int jacobianSign<2>(const std::array<Vec<2>, 4> &, double &);
-template int jacobianSign<3>(const std::array<Vec<3>, 8> &, double &);
+template int jacobianSign<2>(const std::array<Vec<2>, 4> &, double &, double *);
+template int jacobianSign<3>(const std::array<Vec<3>, 8> &, double &, double *);
 template void checkGeometry(const BlockInput<2> &, Certificate &);
 template void checkGeometry(const BlockInput<3> &, Certificate &);
 

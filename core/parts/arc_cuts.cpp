@@ -16,7 +16,7 @@ constexpr double kMostTurn = 240 * kDegree;  // of a curve, whose halves get an 
 
 /// Whether a side turns away from its mean normal too far.
 bool turnsTooFar(const PartView &v, Index side) {
-  const double leastCosine = std::cos(v.turns * kMostLean);
+  const double leastCosine = std::cos(v.turns < 1 ? v.turns * kMostTurn / 2 : kMostLean);
   const double hollowCosine = std::cos(v.turns * kHollowLean);
   struct Facet {
     Vec<3> place, normal;
@@ -106,6 +106,16 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
       if (std::count_if(corner->sides.begin(), corner->sides.end(),
                         [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
         attract(v.node(corner->node));
+  if (v.turns < 1) { // where nodes of the side are, so that in the end there is an edge for each of its facets
+    nearest = -1;
+    for (std::size_t k = 1; k + 1 < chain.nodes.size(); ++k) {
+      const Vec<3> d = flat(v.node(chain.nodes[k]) - axis.centre);
+      const double cosine = glm::dot(glm::normalize(d), middle);
+      if (!(cosine > nearest)) continue;
+      nearest = cosine;
+      towards = glm::normalize(d);
+    }
+  }
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
                   halfOf(v, chain, axis, towards)};
 }
