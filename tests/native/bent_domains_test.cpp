@@ -9,7 +9,7 @@
 namespace dualblock::test {
 namespace {
 
-constexpr std::uint32_t kSeeds = 60;
+constexpr std::uint32_t kSeeds = 30;
 
 double unevenness(const Domain<3> &domain) {
   double worst = 0;

@@ -221,7 +221,7 @@ TEST(MeshJudge, SolidsHoldTheirPoints) {
   }
   for (int kind = 0; kind < kBentKindCount; ++kind) { // by cells, and without them
     const SolidMembership bent(bentSolid(kind, 4));
-    for (int k = 0; k < 2000; ++k) {
+    for (int k = 0; k < 500; ++k) {
       Vec<3> p;
       for (int axis = 0; axis < 3; ++axis) p[axis] = random.real(bent.low()[axis], bent.high()[axis]);
       EXPECT_EQ(bent.holds(p), bent.windingNumber(p) > 0.5);
