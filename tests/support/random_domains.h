@@ -4,32 +4,16 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "support/examples.h"
+#include "support/random_source.h"
 #include "support/transforms.h"
 #include "support/voxels.h"
 
 namespace dualblock::test {
-
-class RandomSource {
-public:
-  explicit RandomSource(std::uint32_t seed) : engine_(seed) {}
-  /// From low to high; only the engine's own sequence is fixed by the standard, so no distributions.
-  double real(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  int whole(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-  bool chance(double p) { return real(0, 1) < p; }
-
-private:
-  std::mt19937 engine_;
-};
 
 /// The hull of random points in a ball, by brute force over triples; all facets are triangles.
 inline Domain<3> randomHull(RandomSource &random) {
