@@ -10,6 +10,7 @@
 #include "contributions/repair.h"
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
+#include "parts/bent_cuts.h"
 #include "reference/culprits.h"
 #include "stage_clock.h"
 
@@ -20,8 +21,8 @@ namespace {
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;    // then all components fall back
-constexpr Index kCheapToRecut = 60000;  // simplices of a cut mesh, up to which it is cut finer where that serves
-constexpr double kFinestTurns = 1.0 / 16; // CutPolicy::turns: parts of 15 degrees, a facet each as tessellations go
+constexpr Index kCheapToHalve = 60000; // simplices, up to which parts that do not serve are halved
+constexpr int kHalvings = 8;           // rounds of that
 constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
@@ -152,39 +153,53 @@ template <int N>
   return blame;
 }
 
-/// The domain cut anew by policies, one per component.
-template <int N> using Recut = std::function<PartProposal<N>(std::vector<CutPolicy>)>;
-
-/// Where components that are cut strayed from their bent sides, or could not be told apart from themselves:
-/// cut finer; nothing where that would not be cheap, has been done often enough, or none is cut.
-template <int N>
-std::optional<PartProposal<N>> cutFiner(const PipelineResult<N> &r, std::vector<CutPolicy> policies,
-                                        const std::vector<PartSource> &source, const Recut<N> &recut) {
-  if (!recut || r.mesh.simplexCount() > kCheapToRecut) return std::nullopt;
-  const std::vector<bool> blame = blamed(r, source);
-  bool isAny = false;
-  for (std::size_t c = 0; c < policies.size(); ++c) {
-    if (!blame[c] || source[c] != PartSource::cuts) continue;
-    if (policies[c].turns <= kFinestTurns) return std::nullopt;
-    policies[c].turns /= 2;
-    isAny = true;
+/// Parts that the certificate's failures name, in components that are cut: those of blocks, and of all blocks
+/// around nodes.
+std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<PartSource> &source) {
+  std::vector<bool> isAtFault(r.primal.positions.size(), false); // nodes
+  std::vector<Index> which;
+  for (const EntityRef &e : r.certificate.culprits) {
+    if (e.kind == "node") isAtFault[static_cast<std::size_t>(e.index)] = true;
+    if (e.kind == "block") which.push_back(r.primal.blocks[static_cast<std::size_t>(e.index)].part);
   }
-  if (!isAny) return std::nullopt;
-  PartProposal<N> proposal = recut(std::move(policies));
-  for (std::size_t c = 0; c < source.size(); ++c) {
-    if (source[c] == PartSource::cuts && proposal.choice.source[c] != PartSource::cuts) return std::nullopt;
-    proposal.choice.source[c] = source[c];
-  }
-  return proposal;
+  for (const Block<3> &block : r.primal.blocks)
+    if (std::any_of(block.nodes.begin(), block.nodes.end(), [&](Index n) { return isAtFault[at(n)]; }))
+      which.push_back(block.part);
+  sortItems(which);
+  which.erase(std::unique(which.begin(), which.end()), which.end());
+  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
+  which.erase(std::remove_if(which.begin(), which.end(),
+                             [&](Index part) {
+                               return source[at(component[at(part)])] != PartSource::cuts;
+                             }),
+              which.end());
+  return which;
 }
 
-/// From the parts that were chosen to a mesh with its certificate. Components that this blames are cut finer,
-/// where there is a `recut`, and then go down the ladder of the fallback, if they may. False if they may not,
+/// Halves the parts whose blocks strayed from their bent sides, or cross others, or are inverted. Returns
+/// whether that was possible, and is still cheap.
+template <int N>
+[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, double tolerance) {
+  if constexpr (N == 3) {
+    if (r.bentSides == 0 || r.mesh.simplexCount() > kCheapToHalve) return false;
+    const std::vector<Index> which = partsAtFault(r, source);
+    const BentCutOptions options{{tolerance, toIndex(r.domain.domain.facets.size())},
+                                 axesOf(r.features, r.featureNodes), {}, {}};
+    const Index cuts = halveParts(r.mesh, r.parts, which, options);
+    r.bentCuts += cuts;
+    r.cuts += cuts;
+    return cuts > 0;
+  }
+  return false;
+}
+
+/// From the parts that were chosen to a mesh with its certificate. Parts that this blames are halved; where that
+/// does not serve, their components go down the ladder of the fallback, if they may. False if they may not,
 /// or there is no coarsest mesh for them.
 template <int N>
 [[gnu::noinline]] bool meshParts(PipelineResult<N> &r, PartChoice<N> choice, bool mayFallBack,
                                  const PipelineOptions &options, const CoarseMesh<N> &coarse,
-                                 const Recut<N> &recut, StageClock &clock) {
+                                 StageClock &clock) {
   Decomposition<N> &decomposition = choice.decomposition;
   const auto takeParts = [&] {
     r.parts = std::move(decomposition.parts);
@@ -201,6 +216,7 @@ template <int N>
   };
   PartOptions partOptions;
   std::vector<bool> everyFace;
+  int halvings = 0;
   for (int attempt = 0;; ++attempt) {
     r.fallbackComponents = count(PartSource::simplices);
     r.pulledComponents = count(PartSource::pulled);
@@ -230,24 +246,18 @@ template <int N>
     const bool built = buildDual(r, partOptions, everyFace, clock);
     if (built) buildResult(r, options, clock);
     if (built && r.certificate.valid) break;
+    if (built && halvings < kHalvings &&
+        cutFiner(r, source, options.tolerance * r.mesh.size + 2 * r.domain.deviation)) {
+      ++halvings;
+      everyFace.resize(r.mesh.simplices.size(), false);
+      r.certificate = {};
+      continue;
+    }
     if constexpr (N == 3)
       if (decomposition.early && r.fallbackComponents + r.pulledComponents == 0) {
         takeEarly(r.mesh, decomposition);
         takeParts();
-        r.certificate = {};
-        continue;
-      }
-    if (built)
-      if (std::optional<PartProposal<N>> finer = cutFiner(r, choice.policies, source, recut)) {
-        clock.start("parts", 0.4);
-        r.mesh = std::move(finer->mesh);
-        choice.policies = std::move(finer->choice.policies);
-        decomposition = std::move(finer->choice.decomposition);
-        takeParts();
-        source = std::move(finer->choice.source);
-        r.repairs = 0;
-        everyFace.clear();
-        partOptions = {};
+        halvings = 0;
         r.certificate = {};
         continue;
       }
@@ -298,7 +308,7 @@ template <int N>
   for (PartProposal<N> &proposal : proposals) {
     PipelineResult<N> other = common;
     other.mesh = std::move(proposal.mesh);
-    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, {}, inner)) continue;
+    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, inner)) continue;
     candidates.push_back(figuresOf(other));
     others.push_back(std::move(other));
   }
@@ -401,12 +411,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   ReferenceMesh<N> cut = std::exchange(r.mesh, {}); // proposals bring their own
   const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
   r.mesh = std::move(cut);
-  Recut<N> recut;
-  if (r.bentSides > 0)
-    recut = [&](std::vector<CutPolicy> policies) {
-      return cutParts<N>(uncut, r.features, cutOptions, needCoarse, std::move(policies));
-    };
-  if (!meshParts(r, std::move(choice), true, options, needCoarse, recut, clock)) return *coarseError;
+  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
   if (mayPropose && !wantsShape) {
     if (falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);

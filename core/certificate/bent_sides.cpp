@@ -82,7 +82,7 @@ void checkNodes(const BlockInput<3> &in, const BlockComplex<3> &complex, double 
   }
 }
 
-constexpr std::size_t kCrossings = 8; // that are named
+constexpr std::size_t kCrossings = 64; // that are looked for
 constexpr int kSamples = 3;            // along each direction inside of a block's face
 
 void checkEmbedding(const BlockInput<3> &in, const BlockComplex<3> &complex, Certificate &certificate) {

@@ -12,6 +12,7 @@ void Certificate::fail(Check check, std::string message, std::vector<EntityRef> 
   constexpr std::size_t kListed = 8; // of each check: enough to see the pattern
   passed[static_cast<std::size_t>(check)] = false;
   valid = false;
+  culprits.insert(culprits.end(), entities.begin(), entities.end());
   std::size_t same = 0;
   for (const CertificateFailure &f : failures) same += f.check == check ? 1 : 0;
   if (same < kListed) failures.push_back({check, std::move(message), std::move(entities)});
@@ -36,10 +37,12 @@ Certificate joined(Findings &findings) {
   all.features = std::move(of(findings, Check::features).features);
   all.fidelity = std::move(of(findings, Check::features).fidelity);
   all.failures.clear();
+  all.culprits.clear();
   for (const Certificate &one : findings) {
     for (std::size_t k = 0; k < all.passed.size(); ++k) all.passed[k] = all.passed[k] && one.passed[k];
     all.valid = all.valid && one.valid;
     all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
+    all.culprits.insert(all.culprits.end(), one.culprits.begin(), one.culprits.end());
   }
   return all;
 }

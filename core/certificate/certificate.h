@@ -35,6 +35,7 @@ struct Fidelity {
 struct Certificate {
   std::array<bool, 5> passed{true, true, true, true, true}; // by Check
   std::vector<CertificateFailure> failures;                 // the first few of each check
+  std::vector<EntityRef> culprits;                          // what all failures name, of each check in turn
   bool valid = true;
   double domainMeasure = 0;           // area or volume, from the domain's facets alone
   double meshMeasure = 0;             // the same of the blocks, exactly integrated

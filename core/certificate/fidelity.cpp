@@ -12,7 +12,7 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kPieces = 2;         // along each direction of a face, for distances from it
 constexpr int kMostDivisions = 6;  // of a side's triangle, along each edge, for samples
-constexpr double kSliver = 0.02;   // of what a face stands for: normals of less area mean nothing
+constexpr double kSliver = 0.05;   // of what a face stands for: less is a sliver, or its neighbour's by right
 constexpr std::size_t kFewest = 8; // segments of a chain that count as they are
 
 using Triangle = std::array<Vec<3>, 3>;

@@ -13,11 +13,12 @@ constexpr double kMostLean = 70 * kDegree;   // of a side's normals from their m
 constexpr double kHollowLean = 30 * kDegree; // where hollow sides count
 constexpr double kNearMiddle = 37 * kDegree; // corners that are this near to the middle attract a cut
 constexpr double kMostTurn = 240 * kDegree;  // of a curve, whose halves get an edge each
+constexpr double kLeastTurn = 5 * kDegree;   // of a curve that is worth halving
 
 /// Whether a side turns away from its mean normal too far.
 bool turnsTooFar(const PartView &v, Index side) {
-  const double leastCosine = std::cos(v.turns < 1 ? v.turns * kMostTurn / 2 : kMostLean);
-  const double hollowCosine = std::cos(v.turns * kHollowLean);
+  const double leastCosine = std::cos(kMostLean);
+  const double hollowCosine = std::cos(kHollowLean);
   struct Facet {
     Vec<3> place, normal;
     double area;
@@ -90,7 +91,7 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
   const auto flat = [&](const Vec<3> &x) { return x - glm::dot(x, axis.direction) * axis.direction; };
   middle = glm::normalize(flat(middle));
   Vec<3> towards = middle;
-  double nearest = std::cos(v.turns * kNearMiddle);
+  double nearest = std::cos(kNearMiddle);
   const auto attract = [&](const Vec<3> &x) {
     const Vec<3> d = flat(x - axis.centre);
     if (glm::length(d) <= kOnAxis * v.mesh.size) return;
@@ -106,55 +107,83 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
       if (std::count_if(corner->sides.begin(), corner->sides.end(),
                         [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
         attract(v.node(corner->node));
-  if (v.turns < 1) { // where nodes of the side are, so that in the end there is an edge for each of its facets
-    nearest = -1;
-    for (std::size_t k = 1; k + 1 < chain.nodes.size(); ++k) {
-      const Vec<3> d = flat(v.node(chain.nodes[k]) - axis.centre);
-      const double cosine = glm::dot(glm::normalize(d), middle);
-      if (!(cosine > nearest)) continue;
-      nearest = cosine;
-      towards = glm::normalize(d);
-    }
-  }
   return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
                   halfOf(v, chain, axis, towards)};
 }
 
-/// Square to a chain half way of what it turns by; nothing where that is no more than it may.
-std::optional<std::pair<double, Proposal>> acrossChain(const PartView &v, const Chain &chain) {
-  std::vector<double> turned(chain.nodes.size(), 0); // up to each node and at it
-  const auto direction = [&](std::size_t k) {
-    return glm::normalize(v.node(chain.nodes[k + 1]) - v.node(chain.nodes[k]));
+/// Where a chain turns: at its nodes, or at every few of them where there are many, as cuts leave jags.
+struct Bends {
+  std::vector<std::size_t> at; // places in the chain
+  std::vector<double> turned;  // radians, up to each of them and at it
+};
+
+Bends bendsOf(const PartView &v, const Chain &chain) {
+  constexpr std::size_t kMany = 16;
+  Bends bends;
+  const std::size_t stride = std::max<std::size_t>(1, chain.nodes.size() / kMany);
+  const auto direction = [&](std::size_t from, std::size_t to) {
+    return glm::normalize(v.node(chain.nodes[to]) - v.node(chain.nodes[from]));
   };
-  for (std::size_t k = 1; k + 1 < chain.nodes.size(); ++k)
-    turned[k] =
-        turned[k - 1] + std::acos(std::clamp(glm::dot(direction(k - 1), direction(k)), -1.0, 1.0));
-  if (chain.nodes.size() < 3) return std::nullopt;
-  const double all = turned[chain.nodes.size() - 2];
-  if (all <= v.turns * kMostTurn) return std::nullopt;
-  std::size_t middle = 1;
-  while (turned[middle] < 0.5 * all) ++middle;
-  return std::pair(all, Proposal{planeSurface(v.node(chain.nodes[middle]), direction(middle - 1) + direction(middle)),
-                                 {chain.nodes[middle]}});
+  double turned = 0;
+  for (std::size_t k = stride; k + 1 < chain.nodes.size(); k += stride) {
+    const std::size_t next = std::min(k + stride, chain.nodes.size() - 1);
+    turned += std::acos(std::clamp(glm::dot(direction(k - stride, k), direction(k, next)), -1.0, 1.0));
+    bends.at.push_back(k);
+    bends.turned.push_back(turned);
+  }
+  return bends;
+}
+
+/// Square to a chain at one of its nodes; through the axis where it is an arc of a circle.
+Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
+  constexpr double kRound = 0.01; // of the radius
+  const Vec<3> x = v.node(chain.nodes[place]);
+  Vec<3> normal = glm::normalize(x - v.node(chain.nodes[place - 1])) +
+                  glm::normalize(v.node(chain.nodes[place + 1]) - x);
+  if (Axis axis; axisOf(chain, v.mesh.nodes, v.axes, axis)) {
+    const double radius = glm::length(x - axis.centre);
+    const bool isArc = std::all_of(chain.nodes.begin(), chain.nodes.end(), [&](Index n) {
+      return std::abs(glm::length(v.node(n) - axis.centre) - radius) <= kRound * radius;
+    });
+    if (isArc) normal = glm::cross(axis.direction, x - axis.centre);
+  }
+  return {planeSurface(x, normal), {chain.nodes[place]}};
+}
+
+/// Across the curves that `wanted` accepts and that turn by more than `least`, half way of what they turn by;
+/// those that turn most first.
+template <typename Wanted> std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wanted) {
+  std::vector<std::pair<double, Proposal>> ranked;
+  for (const Curve<3> *curve : v.curves) {
+    if (!wanted(*curve)) continue;
+    for (const Chain &chain : chainsOf(*curve)) {
+      if (chain.closed) continue;
+      const Bends bends = bendsOf(v, chain);
+      if (bends.at.empty() || bends.turned.back() <= least) continue;
+      std::size_t middle = 0;
+      while (bends.turned[middle] < 0.5 * bends.turned.back()) ++middle;
+      ranked.emplace_back(bends.turned.back(), squareTo(v, chain, bends.at[middle]));
+    }
+  }
+  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::vector<Proposal> list;
+  for (auto &[turn, proposal] : ranked) list.push_back(std::move(proposal));
+  return list;
 }
 
 } // namespace
 
 std::vector<Proposal> following(const PartView &v) {
-  std::vector<std::pair<double, Proposal>> ranked;
-  for (const Curve<3> *curve : v.curves) {
-    const bool isGiven = v.isGiven(curve->sides[0]) && v.isGiven(curve->sides[1]);
-    if (!isGiven) continue;
-    for (const Chain &chain : chainsOf(*curve))
-      if (!chain.closed)
-        if (auto across = acrossChain(v, chain)) ranked.push_back(std::move(*across));
-  }
-  sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
-  std::vector<Proposal> list;
-  for (auto &[turn, proposal] : ranked) list.push_back(std::move(proposal));
-  if (v.turns < 1)
-    for (Proposal &proposal : shaping(v)) list.push_back(std::move(proposal));
-  return list;
+  return acrossCurves(v, kMostTurn, [&](const Curve<3> &curve) {
+    return v.isGiven(curve.sides[0]) && v.isGiven(curve.sides[1]);
+  });
+}
+
+std::vector<Proposal> halving(const PartView &v) {
+  return acrossCurves(v, kLeastTurn, [&](const Curve<3> &curve) {
+    return std::any_of(curve.sides.begin(), curve.sides.end(),
+                       [&](Index side) { return v.isGiven(side) && v.isBent(side); });
+  });
 }
 
 std::vector<Proposal> shaping(const PartView &v) {

@@ -296,16 +296,60 @@ CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentC
       for (; corner < parts.corners.size() && parts.corners[corner].part == v.part; ++corner)
         v.corners.push_back(&parts.corners[corner]);
       if (gaveUp[at(component[at(v.part)])]) continue;
-      if (!options.policies.empty()) {
-        v.cutsHollows = options.policies[at(component[at(v.part)])].isLast;
-        v.turns = options.policies[at(component[at(v.part)])].turns;
-      }
+      v.cutsHollows = !options.policies.empty() && options.policies[at(component[at(v.part)])].isLast;
       for (const Proposal &proposal : propose(v))
         if (carryOut(mesh, v, proposal, options))
           return propose == shaping ? CutReason::shape : CutReason::needed;
     }
   }
   return CutReason::none;
+}
+
+namespace {
+
+PartView viewOf(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index part,
+                const BentCutOptions &options) {
+  PartView v{mesh, parts, part, {}, {}, options.axes};
+  for (const Curve<3> &curve : parts.curves)
+    if (curve.part == part) v.curves.push_back(&curve);
+  for (const Corner &corner : parts.corners)
+    if (corner.part == part) v.corners.push_back(&corner);
+  return v;
+}
+
+Index notSimple(const Parts<3> &parts) {
+  return toIndex(static_cast<std::size_t>(std::count_if(
+      parts.parts.begin(), parts.parts.end(), [](const PartInfo &part) { return !part.simple; })));
+}
+
+} // namespace
+
+Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
+                 const BentCutOptions &options) {
+  parts = buildParts(mesh, PartOptions{}); // as they are judged again below
+  // A simplex of each part leads back to what is left of it after other cuts.
+  std::vector<Index> simplexOf(parts.parts.size(), kNone);
+  for (Index s = 0; s < toIndex(parts.partOfSimplex.size()); ++s)
+    if (simplexOf[at(parts.partOfSimplex[at(s)])] == kNone) simplexOf[at(parts.partOfSimplex[at(s)])] = s;
+  std::vector<Index> seeds;
+  for (const Index part : which) seeds.push_back(simplexOf[at(part)]);
+  Index cuts = 0;
+  for (const Index seed : seeds) {
+    const PartView v = viewOf(mesh, parts, parts.partOfSimplex[at(seed)], options);
+    for (const Proposal &proposal : halving(v)) {
+      ReferenceMesh<3> before = mesh;
+      if (!carryOut(mesh, v, proposal, options)) continue;
+      Parts<3> now = buildParts(mesh, PartOptions{});
+      if (notSimple(now) > notSimple(parts)) {
+        mesh = std::move(before);
+        continue;
+      }
+      parts = std::move(now);
+      ++cuts;
+      break;
+    }
+  }
+  return cuts;
 }
 
 } // namespace dualblock

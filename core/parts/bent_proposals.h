@@ -29,7 +29,6 @@ struct PartView {
   std::vector<const Corner *> corners;
   const std::vector<Axis> &axes; // of the domain's own curves
   bool cutsHollows = false;      // CutPolicy::isLast
-  double turns = 1;              // CutPolicy::turns
 
   const Vec<3> &node(Index n) const { return mesh.nodes[at(n)]; }
   /// On the domain's boundary or an interface: bent cuts are ragged on coarse meshes, and their turns mean
@@ -73,9 +72,12 @@ std::optional<Proposal> throughCrease(const PartView &part, Index side);
 std::vector<Proposal> shaping(const PartView &part);
 
 /// What a part needs for its blocks to follow it: planes square to curves that turn further than the two edges
-/// that stand for them may, the furthest first; and where the part's sides may turn less than usual, those of
-/// `shaping`.
+/// that stand for them may, the furthest first.
 std::vector<Proposal> following(const PartView &part);
+
+/// What would halve a part whose blocks do not serve: across whichever of its curves and bent sides turns most,
+/// at nodes of the domain, so that in the end there is an edge for each of its facets.
+std::vector<Proposal> halving(const PartView &part);
 
 /// Where a plane nearly holds or halves axes of the domain, or is square to one where another meets it, the
 /// one that does: nodes near which surfaces touch are inexact, and planes by them would leave slivers.

@@ -219,10 +219,7 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
   for (std::size_t c = 0; c < components; ++c)
     for (std::size_t t = 1; t < trials.size(); ++t)
       if (isBetter(trials[t].best[c], trials[chosen[c]].best[c])) chosen[c] = t;
-  for (const std::size_t t : chosen) {
-    ++choice.trials[t].components;
-    choice.policies.push_back(trials[t].policy);
-  }
+  for (const std::size_t t : chosen) ++choice.trials[t].components;
   std::size_t taken = chosen[0];
   if (std::find_if(chosen.begin(), chosen.end(), [&](std::size_t t) { return t != taken; }) != chosen.end()) {
     std::vector<CutPolicy> each;
@@ -289,30 +286,6 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
   return proposals;
 }
 
-template <int N>
-PartProposal<N> cutParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
-                         const CoarseMesh<N> &coarse, std::vector<CutPolicy> policies) {
-  Chooser<N> chooser(uncut, options, coarse, policies.size());
-  PartProposal<N> proposal;
-  proposal.choice.policies = policies;
-  Trial<N> trial = chooser.run(mesh, std::move(policies), 0);
-  for (std::size_t c = 0; c < trial.source.size(); ++c)
-    if (trial.scores[0][c].blocks < kNever) {
-      trial.source[c] = PartSource::cuts;
-      trial.best[c] = trial.scores[0][c];
-    }
-  for (const Score &score : trial.best) proposal.choice.score.add(score);
-  explain(trial, proposal.choice);
-  proposal.mesh = std::move(trial.mesh);
-  proposal.choice.source = std::move(trial.source);
-  proposal.choice.decomposition = std::move(trial.decomposition);
-  return proposal;
-}
-
-template PartProposal<2> cutParts(const ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
-                                  const CoarseMesh<2> &, std::vector<CutPolicy>);
-template PartProposal<3> cutParts(const ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
-                                  const CoarseMesh<3> &, std::vector<CutPolicy>);
 template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
                                    const CoarseMesh<2> &);
 template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,

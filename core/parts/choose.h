@@ -32,7 +32,6 @@ inline bool hasLastPolicy(const std::vector<CutTrial> &trials) {
 
 template <int N> struct PartChoice {
   Decomposition<N> decomposition;
-  std::vector<CutPolicy> policies; // per component: the one that it took
   std::vector<PartSource> source; // per component
   Score score;
   std::vector<CutTrial> trials;
@@ -68,16 +67,6 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
                                           const CutOptions &options, const CoarseMesh<N> &coarse,
                                           const Score &chosen, Proposals which);
 
-/// The mesh cut anew by these policies, one per component. Cuts are taken wherever they leave simple parts,
-/// however many blocks they give.
-template <int N>
-PartProposal<N> cutParts(const ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
-                         const CoarseMesh<N> &coarse, std::vector<CutPolicy> policies);
-
-extern template PartProposal<2> cutParts(const ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
-                                         const CoarseMesh<2> &, std::vector<CutPolicy>);
-extern template PartProposal<3> cutParts(const ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
-                                         const CoarseMesh<3> &, std::vector<CutPolicy>);
 extern template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
                                           const CoarseMesh<2> &);
 extern template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,

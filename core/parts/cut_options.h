@@ -13,8 +13,6 @@ struct CutPolicy {
   double snap = 0;                  // radians: a plane may turn by as much to serve another curve, too
   bool isLast = false; // where no other serves: a round rim gets one sheet, in the place of its sectors' two,
                        // and hollow sides that turn are cut along
-  double turns = 1; // share of what curves and bent sides of a part may turn by: less where blocks strayed
-
   bool wantsCut(double angle) const { return angle > largestAngle; }
 };
 
