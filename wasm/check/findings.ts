@@ -6,6 +6,7 @@ export const checkNames = [
   'nodes',
   'topology',
   'geometry',
+  'overlap',
   'shape',
   'measure',
   'vertices',
