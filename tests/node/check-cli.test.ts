@@ -67,6 +67,7 @@ describe('exit status 0: valid', () => {
         measure: true,
         vertices: true,
         facets: true,
+        fidelity: null,
       },
       valid: true,
       failures: [],

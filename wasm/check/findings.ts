@@ -11,6 +11,7 @@ export const checkNames = [
   'measure',
   'vertices',
   'facets',
+  'fidelity',
 ] as const;
 export type CheckName = (typeof checkNames)[number];
 
