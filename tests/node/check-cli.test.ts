@@ -68,6 +68,7 @@ describe('exit status 0: valid', () => {
         vertices: true,
         facets: true,
         fidelity: null,
+        regions: null,
       },
       valid: true,
       failures: [],

@@ -1,4 +1,4 @@
-// Checks of a mesh against its domain, in the order of their names: shape, measure, vertices, facets, fidelity.
+// Checks of a mesh against its domain, in the order of their names: shape, measure, vertices, facets, fidelity, regions.
 
 import { BoxTree } from './box-tree.ts';
 import type { Complex } from './complex.ts';
@@ -9,6 +9,7 @@ import type { Fidelity } from './fidelity-measures.ts';
 import { entity, type Findings } from './findings.ts';
 import { allowedDifference, enclosedMeasure, measureDifference, meshMeasure } from './measure.ts';
 import { type Mesh, nodeCount } from './mesh.ts';
+import { checkRegions, type RegionMeasures } from './regions.ts';
 import { describeShape, type Shape } from './shape.ts';
 import type { Target } from './target.ts';
 import { distance, pointAt, zero } from './vector.ts';
@@ -24,6 +25,8 @@ export interface Comparison {
   largestDistance: number;
   /** How well the mesh stands for surfaces that it approximates; null where there are none. */
   fidelity: Fidelity | null;
+  /** The areas or volumes of regions; null where they are not named in the domain, or not told by the mesh. */
+  regions: RegionMeasures[] | null;
 }
 
 export function checkAgainstDomain(
@@ -41,7 +44,8 @@ export function checkAgainstDomain(
   const fidelity = approximate
     ? checkFidelity(mesh, complex, target, Math.abs(measures.difference / measures.domainMeasure), findings)
     : null;
-  return { approximate, ...measures, largestDistance, fidelity };
+  const regions = checkRegions(mesh, complex, target, findings);
+  return { approximate, ...measures, largestDistance, fidelity, regions };
 }
 
 function checkShape(mesh: Shape, domain: Shape, findings: Findings): void {

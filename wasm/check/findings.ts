@@ -12,6 +12,7 @@ export const checkNames = [
   'vertices',
   'facets',
   'fidelity',
+  'regions',
 ] as const;
 export type CheckName = (typeof checkNames)[number];
 

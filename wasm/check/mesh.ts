@@ -10,6 +10,33 @@ export interface Mesh {
   blocks: Int32Array;
   /** What the reader left out, for people. */
   notes: string[];
+  /** Absent where the file tells no regions, or tells them in a way that has no one meaning (then a note says so). */
+  regions?: BlockRegions;
+}
+
+/**
+ * Which region (of an assembly; of one material) each block is in, as the file tells it. Read from
+ * - VTK and .vtu: the cell data `region`, else `gmsh:physical`, else `CellEntityIds`;
+ * - Gmsh: the physical groups of volumes (2D: surfaces), else, where blocks are in none, the elementary ones; of several
+ *   physical groups the first;
+ * - Abaqus: the first of these that has every block exactly once: element sets called `REGION_` and a number, the sets of
+ *   sections, those that *ELEMENT names, all sets that do not have every block;
+ * - `dualblock-mesh/1`: the regions of the blocks' parts, where there are several.
+ *
+ * Medit's references are not taken for regions.
+ */
+export interface BlockRegions {
+  /** A number for each block; blocks with equal numbers are in one region. Not empty, and any whole numbers. */
+  ofBlock: Int32Array;
+  /** What the file calls a region, by its number; regions without a name are absent. */
+  names: ReadonlyMap<number, string>;
+  /**
+   * True where numbers are the domain's own for its regions: from cell data `region`, from groups and sets all called
+   * `region` and a number, as dualblock writes them, and from its JSON. False where numbers only tell regions apart.
+   */
+  isNumbered: boolean;
+  /** Where in the file they were found, for messages, such as `cell data "region"` or `physical groups`. */
+  source: string;
 }
 
 /*      7-------6
