@@ -68,24 +68,24 @@ describe('coarse meshes of a tube', () => {
   it('of three blocks lack too much of it', () => {
     expect(failed(tubeMesh(evenly(3)), tube)).toBe('fidelity');
     expect(messages(tubeMesh(evenly(3)), tube)).toMatch(
-      /^the volumes differ by 58\.\d % of the domain's; 40 % are allowed$/,
+      /^the volumes differ by 58\.\d % of the domain's; 41 % are allowed$/,
     );
   });
 
   it('of many blocks and one that spans almost a half of it', () => {
-    const { findings, comparison } = check(tubeMesh([0, 4, 8, 12, 16, 20, 24, 28]), tube);
+    const { findings, comparison } = check(tubeMesh([0, 3, 6, 9, 12, 15, 18, 21, 24, 27]), tube);
     const text = findings.failures.map(({ message }) => message).join('\n');
     expect(text).not.toMatch(/volumes/);
-    expect(text).not.toMatch(/block [0-6]/);
+    expect(text).not.toMatch(/block [0-8]/);
     expect(text).toMatch(
-      /^the face of nodes .* of block 7 and what it stands for are 0\.3\d+ of its size apart at/m,
+      /^the face of nodes .* of block 9 and what it stands for are 0\.4\d+ of its size apart at/m,
     );
     expect(text).toMatch(
-      /^the face of nodes .* of block 7 stands for what turns by 143 degrees; 130 are allowed$/m,
+      /^the face of nodes .* of block 9 stands for what turns by 150 degrees; 130 are allowed$/m,
     );
     expect(findings.count('fidelity')).toBeGreaterThan(findings.failures.length); // its edges
     expect(comparison?.fidelity?.largestDistance).toBeCloseTo(
-      (1 - Math.cos(1.309)) / (2 * Math.sin(1.309)),
+      (1 - Math.cos(1.3744)) / (2 * Math.sin(1.3744)),
       2,
     );
   });

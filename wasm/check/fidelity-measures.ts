@@ -14,11 +14,12 @@ export interface Fidelity {
 
 /**
  * What the coarsest meshes of round things need, and folded or gutted ones exceed. An edge across a third of a turn is
- * 0.29 of its length off the arc, one across a half 0.5. A face that stands for a sixth of a ball is 0.26 of its diameter
- * off and spans 110 degrees; facets that reach over its sides may add to that. A ball of 32 blocks lacks a fifth of its
- * volume, a prism of four sides in a cylinder 0.36, one of three 0.59.
+ * 0.29 of its length off the arc, one across a half 0.5, and a face across a rounded right angle up to 0.39 of its
+ * diameter. A face that stands for a sixth of a ball spans 110 degrees; facets that reach over its sides may add to that.
+ * A ball of 32 blocks lacks a fifth of its volume, a prism of four sides in a cylinder 0.36, a torus of such sides 0.406,
+ * a prism of three sides 0.59.
  */
-export const bounds = { distance: 0.35, turning: 130, volume: 0.4 } as const;
+export const bounds = { distance: 0.4, turning: 130, volume: 0.41 } as const;
 
 /** A face or edge of the mesh, for people and for programs. */
 export interface Named {
