@@ -19,7 +19,7 @@ describe('exit status 0: valid', () => {
     const { status, stdout, stderr } = dualblock('--check', 'ring.vtk');
     expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
     expect(stdout).toMatch(/^ring\.vtk: 64 blocks \(hexahedra\), 144 nodes, 336 edges\n/);
-    expect(stdout).toMatch(/\n {2}valid: nodes, topology, geometry\n$/);
+    expect(stdout).toMatch(/\n {2}valid: nodes, topology, geometry, overlap\n$/);
   });
 
   it('against a domain, with the report alone on standard output', () => {
@@ -62,10 +62,13 @@ describe('exit status 0: valid', () => {
         nodes: true,
         topology: true,
         geometry: true,
+        overlap: true,
         shape: true,
         measure: true,
         vertices: true,
         facets: true,
+        fidelity: null,
+        regions: null,
       },
       valid: true,
       failures: [],

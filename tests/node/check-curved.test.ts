@@ -4,58 +4,12 @@ import type { Mesh } from '../../wasm/check/mesh.ts';
 import { cells, grid } from './support/block-meshes.ts';
 import { check, solid } from './support/check-domains.ts';
 import { prism } from './support/solids.ts';
+import { evenly, tube, tubeMesh } from './support/tube.ts';
 
 describe('curved domains', () => {
-  /** A cylinder of n sides, and a mesh around it with a node at every `step`-th corner only. */
-  const n = 48;
-  const corner = (k: number, r = 1): number[] => [
-    r * Math.cos((2 * Math.PI * k) / n),
-    r * Math.sin((2 * Math.PI * k) / n),
-  ];
-  const polygon = Array.from({ length: n }, (_, k) => corner(k));
-  const tube = solid(
-    {
-      points: [0, 1].flatMap((z) =>
-        [...polygon, ...polygon.map((p) => p.map((x) => x / 2))].map((p) => [...p, z]),
-      ),
-      facets: [],
-    },
-    {
-      facets: [
-        ...Array.from({ length: n }, (_, k) => [k, (k + 1) % n, ((k + 1) % n) + 2 * n, k + 2 * n]),
-        ...Array.from({ length: n }, (_, k) => [n + ((k + 1) % n), n + k, 3 * n + k, 3 * n + ((k + 1) % n)]),
-        ...[0, 2 * n].map((base) => [base]),
-      ].map((loop) =>
-        loop.length > 1
-          ? { loops: [loop] }
-          : { loops: [0, n].map((shift) => Array.from({ length: n }, (_, k) => (loop[0] ?? 0) + shift + k)) },
-      ),
-    },
-  );
-  const mesh = (step: number, r = 1): Mesh =>
-    cells(grid(n / step, 1, 1), ([k = 0, j = 0, z = 0]) => [...corner(k * step, j === 0 ? 0.5 : r), z]);
-  /** The ends of the strip joined, and the blocks turned to be right-handed. */
-  const closed = (step: number, r = 1): Mesh => {
-    const open = mesh(step, r);
-    const key = (i: number): string =>
-      [...open.points.subarray(3 * i, 3 * i + 3)]
-        .map((x) => x.toFixed(9).replace('-0.000000000', '0.000000000'))
-        .join();
-    const first = new Map<string, number>();
-    for (let i = 0; i < open.points.length / 3; i++) if (!first.has(key(i))) first.set(key(i), i);
-    const order = [3, 2, 1, 0, 7, 6, 5, 4];
-    return {
-      ...open,
-      blocks: Int32Array.from(
-        open.blocks,
-        (_, i) => first.get(key(open.blocks[i - (i % 8) + (order[i % 8] ?? 0)] ?? 0)) ?? 0,
-      ),
-    };
-  };
-
   it('pass exactly where the mesh keeps every facet', () => {
     for (const featureAngle of [0, 'auto'] as const) {
-      const { findings, comparison } = check(closed(1), tube, { featureAngle });
+      const { findings, comparison } = check(tubeMesh(evenly(48)), tube, { featureAngle });
       expect(findings.failures).toEqual([]);
       expect(findings.verdicts.measure).toBe(true);
       expect(comparison?.approximate).toBe(featureAngle === 'auto');
@@ -64,7 +18,7 @@ describe('curved domains', () => {
 
   it('may be approximated where they are smooth', () => {
     for (const featureAngle of ['auto', 20] as const) {
-      const { findings, comparison } = check(closed(4), tube, { featureAngle });
+      const { findings, comparison } = check(tubeMesh(evenly(12)), tube, { featureAngle });
       expect(findings.failures).toEqual([]);
       expect(findings.verdicts.measure).toBe(null);
       expect(comparison?.approximate).toBe(true);
@@ -73,13 +27,13 @@ describe('curved domains', () => {
     }
     // The facets turn by 7.5 degrees.
     for (const featureAngle of [0, 5]) {
-      const { findings } = check(closed(4), tube, { featureAngle });
+      const { findings } = check(tubeMesh(evenly(12)), tube, { featureAngle });
       expect(findings.verdicts).toMatchObject({ measure: false, vertices: false, facets: false });
     }
   });
 
   it('nodes must still lie on the surface', () => {
-    const off = check(closed(4, 1.01), tube);
+    const off = check(tubeMesh(evenly(12), 1.01), tube);
     expect(off.findings.verdicts).toMatchObject({ facets: false, shape: true });
     expect(off.comparison?.largestDistance).toBeGreaterThan(0.005);
   });

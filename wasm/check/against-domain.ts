@@ -1,12 +1,15 @@
-// Checks of a mesh against its domain, in the order of their names: shape, measure, vertices, facets.
+// Checks of a mesh against its domain, in the order of their names: shape, measure, vertices, facets, fidelity, regions.
 
 import { BoxTree } from './box-tree.ts';
 import type { Complex } from './complex.ts';
 import { toNumber } from './exact.ts';
 import { checkFacets } from './facets.ts';
+import { checkFidelity } from './fidelity.ts';
+import type { Fidelity } from './fidelity-measures.ts';
 import { entity, type Findings } from './findings.ts';
-import { enclosedMeasure, measureDifference, meshMeasure } from './measure.ts';
+import { allowedDifference, enclosedMeasure, measureDifference, meshMeasure } from './measure.ts';
 import { type Mesh, nodeCount } from './mesh.ts';
+import { checkRegions, type RegionMeasures } from './regions.ts';
 import { describeShape, type Shape } from './shape.ts';
 import type { Target } from './target.ts';
 import { distance, pointAt, zero } from './vector.ts';
@@ -20,12 +23,11 @@ export interface Comparison {
   allowed: number;
   /** Of a boundary node from the domain's surface. */
   largestDistance: number;
+  /** How well the mesh stands for surfaces that it approximates; null where there are none. */
+  fidelity: Fidelity | null;
+  /** The areas or volumes of regions; null where they are not named in the domain, or not told by the mesh. */
+  regions: RegionMeasures[] | null;
 }
-
-/** Of the largest coordinate: a few units in its last place. */
-const kNodeRounding = 4 * Number.EPSILON;
-/** Areas and volumes agree to so much of themselves, where facets are planar. */
-const kMeasureRounding = 1e-10;
 
 export function checkAgainstDomain(
   mesh: Mesh,
@@ -38,7 +40,12 @@ export function checkAgainstDomain(
   const measures = checkMeasure(mesh, target, findings);
   const nodeAt = checkVertices(mesh, complex, target, findings);
   const largestDistance = checkFacets(mesh, complex, target, nodeAt, findings);
-  return { approximate: target.isStrictPatch.includes(false), ...measures, largestDistance };
+  const approximate = target.isStrictPatch.includes(false);
+  const fidelity = approximate
+    ? checkFidelity(mesh, complex, target, Math.abs(measures.difference / measures.domainMeasure), findings)
+    : null;
+  const regions = checkRegions(mesh, complex, target, findings);
+  return { approximate, ...measures, largestDistance, fidelity, regions };
 }
 
 function checkShape(mesh: Shape, domain: Shape, findings: Findings): void {
@@ -56,14 +63,8 @@ function checkMeasure(mesh: Mesh, target: Target, findings: Findings) {
   const exact = enclosedMeasure(domain, boundary);
   const domainMeasure = toNumber(exact);
   const difference = measureDifference(meshMeasure(mesh), exact);
-  // Nodes within facets are off them by rounding, which counts where the domain is thin.
-  const reach = domain.vertices.reduce((most, x) => Math.max(most, ...x.map(Math.abs)), 0);
-  const rounding = kNodeRounding * reach;
-  const uneven = target.patches.reduce(
-    (sum, { isInterface, area, unevenness }) => sum + (isInterface ? 0 : 2 * area * (unevenness + rounding)),
-    0,
-  );
-  const allowed = kMeasureRounding * Math.abs(domainMeasure) + uneven;
+  const outer = target.patches.filter(({ isInterface }) => !isInterface);
+  const allowed = allowedDifference(domainMeasure, outer, domain);
   const isExact = Math.abs(difference) <= allowed;
   if (!isExact && target.isStrictPatch.includes(false)) return { domainMeasure, difference, allowed };
   findings.begin('measure');

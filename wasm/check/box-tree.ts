@@ -1,4 +1,4 @@
-// Boxes in space, and which of them come near a point.
+// Boxes in space: which of them come near a point or meet another box, and which thing in them is nearest.
 import type { Vector } from './vector.ts';
 
 export type Box = [low: Vector, high: Vector];
@@ -23,12 +23,45 @@ export class BoxTree {
 
   /** The boxes that a point is inside of or at most `reach` away from, along each axis; in ascending order. */
   near(point: Vector, reach: number): number[] {
+    return this.collect((box) => gapTo(point, box) <= reach);
+  }
+
+  /** The boxes that have a point in common with another one, in ascending order. */
+  meeting(other: Box): number[] {
+    return this.collect((box) => doMeet(box, other));
+  }
+
+  /** The least `measure` of an item, and the item; `measure` may not be less than gapTo of its box. */
+  nearest(point: Vector, measure: (item: number) => number): { item: number; least: number } {
+    let item = -1;
+    let least = Infinity;
+    const look = ({ items, parts }: Node): void => {
+      for (const i of items) {
+        if (gapTo(point, this.boxes[i]) >= least) continue;
+        const found = measure(i);
+        if (found < least) [item, least] = [i, found];
+      }
+      const [a, b] = parts;
+      if (!a || !b) return;
+      const [gapA, gapB] = [gapTo(point, a.box), gapTo(point, b.box)];
+      const [near, far, gapNear, gapFar] = gapA <= gapB ? [a, b, gapA, gapB] : [b, a, gapB, gapA];
+      if (gapNear < least) look(near);
+      if (gapFar < least) look(far);
+    };
+    look(this.root);
+    return { item, least };
+  }
+
+  private collect(isWanted: (box: Box) => boolean): number[] {
     const found: number[] = [];
     const stack = [this.root];
     for (let node = stack.pop(); node; node = stack.pop()) {
-      if (gapTo(point, node.box) > reach) continue;
+      if (!isWanted(node.box)) continue;
       stack.push(...node.parts);
-      for (const i of node.items) if (gapTo(point, this.boxes[i]) <= reach) found.push(i);
+      for (const i of node.items) {
+        const box = this.boxes[i];
+        if (box && isWanted(box)) found.push(i);
+      }
     }
     return found.sort((a, b) => a - b);
   }
@@ -56,6 +89,15 @@ export function gapTo(point: Vector, box: Box | undefined): number {
     gap = Math.max(gap, box[0][axis] - point[axis], point[axis] - box[1][axis]);
   return gap;
 }
+
+/** Whether two boxes have a point in common. */
+export const doMeet = ([lowA, highA]: Box, [lowB, highB]: Box): boolean =>
+  lowA[0] <= highB[0] &&
+  lowB[0] <= highA[0] &&
+  lowA[1] <= highB[1] &&
+  lowB[1] <= highA[1] &&
+  lowA[2] <= highB[2] &&
+  lowB[2] <= highA[2];
 
 function unionOf(boxes: (Box | undefined)[]): Box {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];

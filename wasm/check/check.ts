@@ -9,6 +9,7 @@ import { checkGeometry, type Geometry } from './geometry.ts';
 import { meshMeasure } from './measure.ts';
 import { blockCount, type Mesh, nodeCount } from './mesh.ts';
 import { checkBlockNodes, checkPlaces } from './nodes.ts';
+import { checkOverlap } from './overlap.ts';
 import type { Shape } from './shape.ts';
 import { solidOf } from './solid.ts';
 import { makeTarget, type Target, type TargetSettings } from './target.ts';
@@ -45,6 +46,8 @@ export function checkMesh(mesh: Mesh, domain: Domain | null, settings: TargetSet
   const complex = topology?.complex ?? buildComplex(mesh);
   checkPlaces(mesh, complex, findings);
   const geometry = checkGeometry(mesh, findings);
+  const { nodes, topology: fitsTogether, geometry: isPositive } = findings.verdicts;
+  if (nodes && fitsTogether && isPositive) checkOverlap(mesh, complex, findings);
   const comparison =
     target && topology && target.solid.domain.dimension === mesh.dimension
       ? checkAgainstDomain(mesh, complex, topology.shape, target, findings)

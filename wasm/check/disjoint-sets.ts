@@ -23,6 +23,18 @@ export class DisjointSets {
     this.parent[Math.max(a, b)] = Math.min(a, b);
   }
 
+  /** The members of each set, in ascending order. */
+  groups(): number[][] {
+    const groups = new Map<number, number[]>();
+    for (let i = 0; i < this.parent.length; i++) {
+      const root = this.find(i);
+      const group = groups.get(root);
+      if (group) group.push(i);
+      else groups.set(root, [i]);
+    }
+    return [...groups.values()];
+  }
+
   /** How many sets there are among the members. */
   count(members: Iterable<number>): number {
     const roots = new Set<number>();

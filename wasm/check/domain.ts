@@ -13,6 +13,12 @@ export interface Facet {
   isShared?: boolean;
 }
 
+/** A part of the domain, by a point in it and its number. */
+export interface Region {
+  point: Vector;
+  id: number;
+}
+
 export interface Domain {
   dimension: 2 | 3;
   /** Distinct points; the third coordinate is 0 in 2D. */
@@ -20,8 +26,8 @@ export interface Domain {
   facets: Facet[];
   /** Points in what is no part of the domain. */
   holes: Vector[];
-  /** Points in what is part of it. */
-  regions: Vector[];
+  /** What is part of it, by name. */
+  regions: Region[];
   /** All that the facets enclose belongs to the domain but the holes; otherwise shells in shells are cavities. */
   isFilled: boolean;
 }

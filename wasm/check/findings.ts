@@ -6,10 +6,13 @@ export const checkNames = [
   'nodes',
   'topology',
   'geometry',
+  'overlap',
   'shape',
   'measure',
   'vertices',
   'facets',
+  'fidelity',
+  'regions',
 ] as const;
 export type CheckName = (typeof checkNames)[number];
 

@@ -3,23 +3,29 @@ import { cornersOf, type Domain, type Facet } from './domain.ts';
 import { difference, type Exact, scale, toNumber } from './exact.ts';
 import { determinant } from './jacobian.ts';
 import { blockCount, blockNodes, localFaces, type Mesh } from './mesh.ts';
+import type { Patch } from './patches.ts';
 
 type BigVector = [bigint, bigint, bigint];
 
 /** The sum of the blocks' areas or volumes. */
-export function meshMeasure(mesh: Mesh): Exact {
+export const meshMeasure = (mesh: Mesh): Exact =>
+  meshMeasures(mesh, () => 0).get(0) ?? exact(mesh.dimension, 0n, 0);
+
+/** The same, for the blocks of each kind. */
+export function meshMeasures(mesh: Mesh, kindOf: (block: number) => number): Map<number, Exact> {
   const { values, exponent } = scale(mesh.points);
   const point = (node: number): BigVector => [
     values[3 * node] ?? 0n,
     values[3 * node + 1] ?? 0n,
     values[3 * node + 2] ?? 0n,
   ];
-  let sum = 0n;
+  const sums = new Map<number, bigint>();
   for (let block = 0; block < blockCount(mesh); block++) {
     const corners = blockNodes(mesh, block).map(point);
-    sum += mesh.dimension === 2 ? quadArea(corners) : hexVolume(corners);
+    const measure = mesh.dimension === 2 ? quadArea(corners) : hexVolume(corners);
+    sums.set(kindOf(block), (sums.get(kindOf(block)) ?? 0n) + measure);
   }
-  return exact(mesh.dimension, sum, exponent);
+  return new Map([...sums].map(([kind, sum]) => [kind, exact(mesh.dimension, sum, exponent)]));
 }
 
 /** The area or volume that facets enclose that are turned outwards, by the divergence theorem. */
@@ -40,6 +46,20 @@ export function enclosedMeasure(domain: Domain, boundary: Facet[]): Exact {
         sum += 2n * determinant(a, corners[k] ?? a, corners[k + 1] ?? a);
   }
   return exact(domain.dimension, sum, exponent);
+}
+
+/** Of the largest coordinate: a few units in its last place. */
+const kNodeRounding = 4 * Number.EPSILON;
+/** Areas and volumes agree to so much of themselves, where facets are planar. */
+const kMeasureRounding = 1e-10;
+
+/** By how much the measure of blocks may differ from what patches enclose, that they cover. */
+export function allowedDifference(measure: number, patches: Patch[], { vertices }: Domain): number {
+  // Nodes within facets are off them by rounding, which counts where the domain is thin.
+  const reach = vertices.reduce((most, x) => Math.max(most, ...x.map(Math.abs)), 0);
+  const rounding = kNodeRounding * reach;
+  const uneven = patches.reduce((sum, { area, unevenness }) => sum + 2 * area * (unevenness + rounding), 0);
+  return kMeasureRounding * Math.abs(measure) + uneven;
 }
 
 /** a - b as a double. */

@@ -2,10 +2,18 @@
 // it: what a mesh has to keep.
 import { cornersOf, type Domain, type Facet, facetVector, ridgesOf } from './domain.ts';
 import type { Solid } from './solid.ts';
-import { add, boxAround, dot, norm, subtract, times, unit, type Vector, zero } from './vector.ts';
+import { add, boxAround, distance, dot, norm, subtract, times, unit, type Vector, zero } from './vector.ts';
 
-/** Neighbouring facets are one patch when their corners are within so many tolerances of its plane. */
-export const kPlanarSlack = 4;
+/** What turns by less than this share of its own width is the same plane, or line, within so many tolerances. */
+const kSlightTurn = 0.01;
+const kPlanarSlack = 4;
+
+/**
+ * How far something as wide as `extent` may be off a plane or line and still count as in it: `planarity`, or a little
+ * more where it hardly turns. So what is small beside the domain keeps its edges.
+ */
+export const planarSlack = (planarity: number, extent: number): number =>
+  Math.min(kPlanarSlack * planarity, Math.max(planarity, kSlightTurn * extent));
 
 export interface Patch {
   facets: Facet[];
@@ -29,7 +37,7 @@ export const distanceToPlane = (p: Vector, { centre, normal }: Patch): number =>
 
 /**
  * The patches of a solid, grown from its largest facets over ridges where just two facets meet. Facets within
- * kPlanarSlack times `planarity` of a plane count as planar; nodes may be off a patch by `rounding` and what its own
+ * planarSlack of a plane count as planar; nodes may be off a patch by `rounding` and what its own
  * unevenness leaves open.
  */
 export function findPatches(
@@ -48,11 +56,14 @@ export function findPatches(
     taken[seed] = 1;
     const normal = unit(vectors[seed] ?? zero);
     const centre = meanOf(cornersOf(domain, facets[seed] ?? { id: 0, loops: [] }).flat());
-    const isClose = (f: number): boolean =>
-      dot(unit(vectors[f] ?? zero), normal) > 0.9 &&
-      cornersOf(domain, facets[f] ?? { id: 0, loops: [] })
-        .flat()
-        .every((x) => Math.abs(dot(subtract(x, centre), normal)) <= kPlanarSlack * planarity);
+    const isClose = (f: number): boolean => {
+      if (dot(unit(vectors[f] ?? zero), normal) <= 0.9) return false;
+      const corners = cornersOf(domain, facets[f] ?? { id: 0, loops: [] }).flat();
+      const size = norm(vectors[f] ?? zero);
+      const width = domain.dimension === 2 ? size : size / distance(...boxAround(corners));
+      const slack = planarSlack(planarity, width);
+      return corners.every((x) => Math.abs(dot(subtract(x, centre), normal)) <= slack);
+    };
     const members = [seed];
     for (const f of members) {
       for (const next of neighbours[f] ?? []) {

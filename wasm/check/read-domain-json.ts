@@ -22,9 +22,10 @@ export function readDomainJson(bytes: Uint8Array): Domain {
   const points = arrayMember(file, 'vertices').map((point, v) => pointOf(point, dimension, 'vertex', v));
   const optional = (name: string): unknown[] => (file[name] === undefined ? [] : arrayMember(file, name));
   const holes = optional('holes').map((point, h) => pointOf(point, dimension, 'hole', h));
-  const regions = optional('regions').map((region, r) =>
-    pointOf((region as JsonObject | null)?.['point'], dimension, 'region', r),
-  );
+  const regions = optional('regions').map((region, r) => ({
+    point: pointOf((region as JsonObject | null)?.['point'], dimension, 'region', r),
+    id: wholeNumber((region as JsonObject | null)?.['id']),
+  }));
   const facets = dimension === 2 ? segmentsOf(file, points.length) : facetsOf(file, points.length);
   return makeDomain(dimension, points.flat(), facets, { holes, regions });
 }
@@ -63,3 +64,6 @@ function facetsOf(file: JsonObject, vertices: number): number[][][] {
     return loops.map((loop) => loopOf(loop, vertices, 'facet', f));
   });
 }
+
+/** Without a number, which the core refuses, a region has that of the unnamed. */
+const wholeNumber = (value: unknown): number => (Number.isInteger(value) ? (value as number) : 0);

@@ -1,12 +1,12 @@
 // TetGen's .poly and .smesh.
-import { type Domain, makeDomain } from './domain.ts';
+import type { EntityReference } from '../io/errors.ts';
+import { type Domain, makeDomain, type Region } from './domain.ts';
 import { outlinesToFacets } from './facet-outlines.ts';
 import type { Vector } from './vector.ts';
 import { Words } from './words.ts';
 
 /**
- * Reads a piecewise linear complex with its holes; like TetGen, it fills all else that is
- * enclosed. Throws what Words throws.
+ * Reads a piecewise linear complex with its holes and regions; like TetGen, it fills all else that is enclosed. Throws what Words throws.
  */
 export function readPoly(bytes: Uint8Array, isSmesh: boolean): Domain {
   const words = new Words(bytes, isSmesh ? '.smesh' : '.poly', /(?<!1\.)#.*/);
@@ -41,7 +41,21 @@ export function readPoly(bytes: Uint8Array, isSmesh: boolean): Domain {
   }
   const holes =
     words.peek() === undefined ? [] : readPoints(words, words.count('the number of holes'), 'hole');
-  return makeDomain(3, coordinates, [...facets, ...further], { holes, isFilled: true });
+  const regions = words.peek() === undefined ? [] : readRegions(words);
+  return makeDomain(3, coordinates, [...facets, ...further], { holes, regions, isFilled: true });
+}
+
+/** Points with their attributes: a region's number where it is a whole one, else its place in the list. */
+function readRegions(words: Words): Region[] {
+  const count = words.count('the number of regions');
+  skipRest(words);
+  return Array.from({ length: count }, (_, index) => {
+    words.integer('the number of a region');
+    const point = readPoint(words, { kind: 'region', index });
+    const attribute = words.atLineEnd() ? Number.NaN : Number(words.next());
+    skipRest(words);
+    return { point, id: Number.isInteger(attribute) ? attribute : index + 1 };
+  });
 }
 
 function readNodes(words: Words): { coordinates: number[]; first: number } {
@@ -70,12 +84,17 @@ function readPoints(words: Words, count: number, kind: string): Vector[] {
   const points: Vector[] = [];
   for (let index = 0; index < count; index++) {
     words.integer(`the number of a ${kind}`);
-    const entity = { kind, index };
-    points.push([words.coordinate(entity), words.coordinate(entity), words.coordinate(entity)]);
+    points.push(readPoint(words, { kind, index }));
     skipRest(words);
   }
   return points;
 }
+
+const readPoint = (words: Words, entity: EntityReference): Vector => [
+  words.coordinate(entity),
+  words.coordinate(entity),
+  words.coordinate(entity),
+];
 
 function skipRest(words: Words): void {
   if (!words.atLineEnd()) words.restOfLine();

@@ -100,10 +100,12 @@ function howDecided({ exact, halving }: CheckReport['mesh']['decided'], depth: n
 }
 
 function describeComparison(
-  { difference, largestDistance }: NonNullable<CheckReport['comparison']>,
+  { difference, largestDistance, fidelity }: NonNullable<CheckReport['comparison']>,
   measure: string,
   isApproximate: boolean,
 ): string {
   const how = isApproximate ? '  curved surface, approximated: ' : '  ';
-  return `${how}${measure} differs by ${difference.toPrecision(3)}, boundary nodes are off by at most ${largestDistance.toPrecision(3)}`;
+  const off = `${how}${measure} differs by ${difference.toPrecision(3)}, boundary nodes are off by at most ${largestDistance.toPrecision(3)}`;
+  if (!fidelity) return off;
+  return `${off}\n  faces and edges stand for what is off by up to ${fidelity.largestDistance.toPrecision(2)} of their size, and turns by up to ${fidelity.largestTurning.toFixed(0)} degrees`;
 }

@@ -1,8 +1,8 @@
 // Where patches meet: straight ridges, and the corners that they run between. In 2D patches meet at corners only.
 import { ridgesOf } from './domain.ts';
-import { kPlanarSlack, type Patch } from './patches.ts';
+import { type Patch, planarSlack } from './patches.ts';
 import type { Solid } from './solid.ts';
-import { degreesBetween, distanceToSegment, subtract, type Vector, zero } from './vector.ts';
+import { degreesBetween, distance, distanceToSegment, dot, subtract, type Vector, zero } from './vector.ts';
 
 export interface Ridge {
   /** Vertices of the domain, its ends. */
@@ -33,7 +33,7 @@ interface Piece {
   uses: Map<number, number>;
 }
 
-/** The ridges and corners between patches. Vertices within kPlanarSlack times `planarity` of a line lie on it. */
+/** The ridges and corners between patches. Vertices within planarSlack of a line lie on it. */
 export function findSkeleton({ domain }: Solid, patches: Patch[], planarity: number): Skeleton {
   const patchOf = patches.flatMap(({ facets }, p) => facets.map(() => p));
   const pieces: Piece[] = [];
@@ -56,7 +56,7 @@ export function findSkeleton({ domain }: Solid, patches: Patch[], planarity: num
   };
   if (domain.dimension === 2)
     return { ridges: [], corners: pieces.map(({ ends, uses }) => ({ vertex: ends[0], uses })) };
-  const ridges = straighten(pieces, domain.vertices, kPlanarSlack * planarity).map((ridge) => ({
+  const ridges = straighten(pieces, domain.vertices, planarity).map((ridge) => ({
     ...ridge,
     turn: turn(ridge.uses),
   }));
@@ -87,7 +87,7 @@ export function findSides({ domain }: Solid, patches: Patch[], ridges: Ridge[], 
     }
   }
   return ofPatch.map((pieces, p) =>
-    straighten(pieces, domain.vertices, kPlanarSlack * planarity).map(({ ends: [a, b], uses, bend }) => ({
+    straighten(pieces, domain.vertices, planarity).map(({ ends: [a, b], uses, bend }) => ({
       ends: (uses.get(p) ?? 0) > 0 ? [a, b] : [b, a],
       slack: (slacks[p] ?? 0) + 2 * bend,
     })),
@@ -95,7 +95,7 @@ export function findSides({ domain }: Solid, patches: Patch[], ridges: Ridge[], 
 }
 
 /** Chains pieces of the same patches through vertices where nothing else is, as far as they are straight. */
-function straighten(pieces: Piece[], vertices: Vector[], allowed: number): Omit<Ridge, 'turn'>[] {
+function straighten(pieces: Piece[], vertices: Vector[], planarity: number): Omit<Ridge, 'turn'>[] {
   const at = new Map<number, number[]>();
   pieces.forEach(({ ends }, piece) => {
     for (const v of ends) at.set(v, [...(at.get(v) ?? []), piece]);
@@ -106,7 +106,9 @@ function straighten(pieces: Piece[], vertices: Vector[], allowed: number): Omit<
     const [p, q, more] = (at.get(v) ?? []).map((piece) => pieces[piece]);
     if (!p || !q || more || !sameUses(usesFrom(p, otherEnd(p, v)), usesFrom(q, v))) return false;
     const [a, b] = [x(otherEnd(p, v)), x(otherEnd(q, v))];
-    return distanceToSegment(x(v), a, b) <= allowed;
+    if (dot(subtract(x(v), a), subtract(b, x(v))) <= 0) return false;
+    const slack = planarSlack(planarity, Math.min(distance(a, x(v)), distance(x(v), b)));
+    return distanceToSegment(x(v), a, b) <= slack;
   };
   const done = new Uint8Array(pieces.length);
   const ridges: Omit<Ridge, 'turn'>[] = [];
@@ -120,7 +122,7 @@ function straighten(pieces: Piece[], vertices: Vector[], allowed: number): Omit<
       piece = goesThrough(here) ? at.get(here)?.find((next) => !done[next]) : undefined;
     }
     const uses = usesFrom(pieces[first] ?? { ends: [0, 0], uses: new Map() }, start);
-    for (const part of cutWhereBent(path, x, allowed)) {
+    for (const part of cutWhereBent(path, x, planarity)) {
       const ends: [number, number] = [part[0] ?? 0, part.at(-1) ?? 0];
       const bend = part.reduce(
         (most, v) => Math.max(most, distanceToSegment(x(v), x(ends[0]), x(ends[1]))),
@@ -137,14 +139,17 @@ function straighten(pieces: Piece[], vertices: Vector[], allowed: number): Omit<
 }
 
 /** Cuts a path, where it is farthest from the line between its ends, until each piece is straight. */
-function cutWhereBent(path: number[], x: (v: number) => Vector, allowed: number): number[][] {
+function cutWhereBent(path: number[], x: (v: number) => Vector, planarity: number): number[][] {
   if (path.length <= 2) return [path];
   const [a, b] = [x(path[0] ?? 0), x(path.at(-1) ?? 0)];
   const gaps = path.map((v, k) => (k === 0 || k === path.length - 1 ? -1 : distanceToSegment(x(v), a, b)));
   const farthest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
-  if (farthest <= allowed && path[0] !== path.at(-1)) return [path];
+  if (farthest <= planarSlack(planarity, distance(a, b)) && path[0] !== path.at(-1)) return [path];
   const cut = gaps.indexOf(farthest, 1);
-  return [...cutWhereBent(path.slice(0, cut + 1), x, allowed), ...cutWhereBent(path.slice(cut), x, allowed)];
+  return [
+    ...cutWhereBent(path.slice(0, cut + 1), x, planarity),
+    ...cutWhereBent(path.slice(cut), x, planarity),
+  ];
 }
 
 /** The uses of a piece when it is run through from one of its ends. */

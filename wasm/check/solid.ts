@@ -13,6 +13,9 @@ export interface Solid {
   /** The facets with the domain on both sides. */
   interfaces: Facet[];
   shape: Shape;
+  cells: Cells;
+  /** Per cell the number of its region: 0 where none is named, null for what is not solid. */
+  regionOf: (number | null)[];
 }
 
 /**
@@ -51,12 +54,23 @@ export function solidOf(domain: Domain): Solid {
     domain,
     boundary,
     interfaces,
+    cells,
+    regionOf: regionsOf(domain, cells, isSolid),
     shape: {
       euler: domain.dimension === 2 ? flatEuler : surface.euler / 2,
       components: bodies.count(solid),
       shells: surface.shells,
     },
   };
+}
+
+function regionsOf({ regions }: Domain, cells: Cells, isSolid: boolean[]): (number | null)[] {
+  const regionOf = isSolid.map((yes): number | null => (yes ? 0 : null));
+  for (const { point, id } of regions) {
+    const cell = cells.at(point);
+    if (isSolid[cell]) regionOf[cell] = id;
+  }
+  return regionOf;
 }
 
 function solidCells({ facets, holes, regions, isFilled }: Domain, cells: Cells): boolean[] {
@@ -79,7 +93,7 @@ function solidCells({ facets, holes, regions, isFilled }: Domain, cells: Cells):
       isSolid[there] = (isSolid[here] ?? false) !== !(isWall || facets[f]?.isShared);
     }
   }
-  for (const region of regions) isSolid[cells.at(region)] = true;
+  for (const { point } of regions) isSolid[cells.at(point)] = true;
   for (const hole of holes) isSolid[cells.at(hole)] = false;
   isSolid[0] = false;
   return isSolid;

@@ -36,6 +36,9 @@ export interface Target extends Skeleton {
   isStrictCorner: boolean[];
   /** Per patch the smooth surface that it is a piece of, by number. */
   surfaceOf: number[];
+  /** Per ridge, whether the surface is not smooth there; and per patch the sheet that it is a piece of: as far as it is. */
+  isSharp: boolean[];
+  sheetOf: number[];
 }
 
 /** Nodes may be off by so much of the domain's size. */
@@ -116,11 +119,17 @@ function strictParts(
   patches: Patch[],
   { ridges, corners }: Skeleton,
   featureAngle: number | 'auto',
-): Pick<Target, 'isStrictPatch' | 'isStrictCorner' | 'surfaceOf'> {
+): Pick<Target, 'isStrictPatch' | 'isStrictCorner' | 'surfaceOf' | 'isSharp' | 'sheetOf'> {
   const isStrictPatch = patches.map(() => true);
   const degrees = featureAngle === 'auto' ? kAutoAngle : featureAngle;
   if (dimension === 2 || degrees === 0)
-    return { isStrictPatch, isStrictCorner: corners.map(() => true), surfaceOf: [...patches.keys()] };
+    return {
+      isStrictPatch,
+      isStrictCorner: corners.map(() => true),
+      surfaceOf: [...patches.keys()],
+      isSharp: ridges.map(() => true),
+      sheetOf: [...patches.keys()],
+    };
 
   const surfaces = new DisjointSets(patches.length);
   for (const { uses, turn } of ridges) {
@@ -143,9 +152,13 @@ function strictParts(
     for (const patch of uses.keys()) isStrictPatch[patch] = false;
   };
   const sharp = new Map<number, Ridge[]>(); // at each vertex
+  const sheets = new DisjointSets(patches.length);
   for (const ridge of ridges) {
-    if (isSmooth(ridge)) loosen(ridge.uses);
-    else for (const v of ridge.ends) sharp.set(v, [...(sharp.get(v) ?? []), ridge]);
+    const [a = 0, ...others] = ridge.uses.keys();
+    if (isSmooth(ridge)) {
+      loosen(ridge.uses);
+      for (const b of others) sheets.unite(a, b);
+    } else for (const v of ridge.ends) sharp.set(v, [...(sharp.get(v) ?? []), ridge]);
   }
   const isStrictCorner = corners.map(({ vertex }) => {
     const [a, b, more] = sharp.get(vertex) ?? [];
@@ -158,5 +171,11 @@ function strictParts(
   });
   const isStrict = new Map(corners.map(({ vertex }, c) => [vertex, isStrictCorner[c] ?? true]));
   for (const { ends, uses } of ridges) if (!ends.every((v) => isStrict.get(v))) loosen(uses);
-  return { isStrictPatch, isStrictCorner, surfaceOf: [...patches.keys()].map((p) => surfaces.find(p)) };
+  return {
+    isStrictPatch,
+    isStrictCorner,
+    surfaceOf: [...patches.keys()].map((p) => surfaces.find(p)),
+    isSharp: ridges.map((ridge) => !isSmooth(ridge)),
+    sheetOf: [...patches.keys()].map((p) => sheets.find(p)),
+  };
 }
