@@ -8,6 +8,7 @@
 
 #include "geometry/jacobian.h"
 #include "io/read_domain.h"
+#include "certificate.h"
 #include "marshal.h"
 #include "pipeline.h"
 #include "primal/boundary.h"
@@ -190,28 +191,6 @@ template <int N> val bentFacetsToJs(const PipelineResult<N> &r) {
   return b;
 }
 
-val certificateToJs(const Certificate &certificate, bool onlyMatching) {
-  static constexpr const char *kChecks[] = {"matching", "cells", "topology", "geometry", "features"};
-  val c = val::object();
-  for (std::size_t k = 0; k < std::size(kChecks); ++k)
-    c.set(kChecks[k], onlyMatching && k > 0 ? val::null() : val(bool{certificate.passed[k]}));
-  c.set("valid", certificate.valid);
-  val failures = val::array();
-  for (const CertificateFailure &f : certificate.failures) {
-    val item = val::object();
-    item.set("check", std::string(kChecks[static_cast<std::size_t>(f.check)]));
-    item.set("message", f.message);
-    item.set("entities", entitiesToJs(f.entities));
-    failures.call<void>("push", item);
-  }
-  c.set("failures", failures);
-  c.set("domainMeasure", certificate.domainMeasure);
-  c.set("meshMeasure", certificate.meshMeasure);
-  c.set("worstCoefficient", certificate.worstCoefficient);
-  c.set("isExact", certificate.isExact);
-  return c;
-}
-
 template <int N> val resultToJs(const PipelineResult<N> &r) {
   val out = val::object();
   out.set("ok", true);
@@ -228,7 +207,7 @@ template <int N> val resultToJs(const PipelineResult<N> &r) {
   out.set("primal", primalToJs(r));
   out.set("mesh", finalMeshToJs(r));
   out.set("bent", bentFacetsToJs(r));
-  out.set("certificate", certificateToJs(r.certificate, r.onlyMatching));
+  out.set("certificate", certificateToJs(r.certificate, 0, r.onlyMatching ? 1 : std::size(kCheckNames)));
   val timings = val::object();
   for (const StageTime &t : r.timings) timings.set(t.stage, t.milliseconds);
   out.set("timings", timings);

@@ -1,7 +1,7 @@
 // Refinement: blocks divided into elements, by intervals per D̄-surface.
 import { DualblockError } from './io/errors.ts';
 import { layeredSurfaces, layeredTags } from './io/layered.ts';
-import type { CoreError, RunResult } from './result.ts';
+import type { Certificate, CoreError, RunResult } from './result.ts';
 
 /** How blocks are divided. All edges that one D̄-surface crosses are divided alike. */
 export interface Refinement {
@@ -13,9 +13,17 @@ export interface Refinement {
   ofSurface: { surface: number; intervals: number }[];
   /** Elements get larger by the factor `growth` (1 to 1000) from one to the next, away from the facet's side. */
   gradings: { facet: number; growth: number }[];
+  /** Blocks may keep straight elements beside a bent side where bent ones would be invalid, off the domain. */
+  straight: boolean;
 }
 
-export const noRefinement: Refinement = { intervals: 1, size: 0, ofSurface: [], gradings: [] };
+export const noRefinement: Refinement = {
+  intervals: 1,
+  size: 0,
+  ofSurface: [],
+  gradings: [],
+  straight: false,
+};
 
 /** Whether it divides anything at all. */
 export const isRefined = (r: Refinement): boolean =>
@@ -51,6 +59,8 @@ export interface RefinedMesh {
   isReversed: Uint8Array;
   /** Blocks with straight elements, because ones that follow the domain's bent sides would have been invalid. */
   straightened: number;
+  /** Of the elements, `matching` and `cells` being the blocks' own matter: null. Only a valid mesh may be handed out. */
+  certificate: Certificate;
 }
 
 export type RefineAnswer = ({ ok: true } & RefinedMesh) | { ok: false; error: CoreError };
@@ -67,11 +77,13 @@ export interface RefineInput {
   patchOfFace: Int32Array;
   segments: Float64Array;
   patchesOfSegment: Int32Array;
+  /** Area or volume. */
+  domainMeasure: number;
 }
 
 /** Of the mesh that a result hands out; it shares arrays with the result. */
 export function refineInput(result: RunResult): RefineInput {
-  const { dimension, mesh, primal, reference, bent } = result;
+  const { dimension, mesh, primal, reference, bent, certificate } = result;
   const { positions, blocks } = mesh ?? primal;
   return {
     dimension,
@@ -81,6 +93,7 @@ export function refineInput(result: RunResult): RefineInput {
     surfaces: mesh ? mesh.blockSurfaces : layeredSurfaces(result),
     surfacePatch: reference.surfacePatch,
     ...bent,
+    domainMeasure: certificate.domainMeasure,
   };
 }
 
@@ -104,7 +117,7 @@ export class Refiner {
     progress: ((done: number) => void) | null = null,
     limit = mostElements,
   ): RefinedMesh {
-    const { intervals, size, ofSurface, gradings } = { ...noRefinement, ...refinement };
+    const { intervals, size, ofSurface, gradings, straight } = { ...noRefinement, ...refinement };
     for (const count of [intervals, ...ofSurface.map((of) => of.intervals)])
       if (!Number.isInteger(count) || Math.abs(count) >= 2 ** 31)
         throw new DualblockError(
@@ -118,6 +131,7 @@ export class Refiner {
       ofSurface: Int32Array.from(ofSurface.flatMap((of) => [of.surface, of.intervals])),
       gradedFacets: Int32Array.from(gradings, ({ facet }) => facet),
       growths: Float64Array.from(gradings, ({ growth }) => growth),
+      straight,
     };
     const answer = this.module.refine(mesh, options, progress);
     if (answer.ok) return answer;

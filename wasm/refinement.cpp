@@ -2,6 +2,8 @@
 // done, and it is compiled for speed where the core's module is kept small.
 #include <emscripten/bind.h>
 
+#include "certificate.h"
+#include "certificate/elements.h"
 #include "marshal.h"
 #include "refinement/refine_blocks.h"
 
@@ -29,7 +31,8 @@ template <int N> val refinedToJs(const RefinedMesh<N> &refined) {
   return m;
 }
 
-template <int N> val refineArrays(const val &mesh, const RefineOptions &options, const val &progress) {
+template <int N>
+val refineArrays(const val &mesh, const RefineOptions &options, bool mayStayStraight, const val &progress) {
   BlockMesh<N> blocks;
   blocks.positions = rowsFromJs<Vec<N>, double>(mesh["positions"]);
   blocks.blocks = rowsFromJs<std::array<Index, 1 << N>, Index>(mesh["blocks"]);
@@ -42,14 +45,19 @@ template <int N> val refineArrays(const val &mesh, const RefineOptions &options,
   bent.patchesOfSegment = rowsFromJs<std::array<Index, 2>, Index>(mesh["patchesOfSegment"]);
   std::function<void(double)> report;
   if (!progress.isNull() && !progress.isUndefined()) report = [&](double done) { progress(done); };
-  const auto refined =
-      refineBlocks<N>(blocks, fromJs<Index>(mesh["surfacePatch"]), BentShape<N>(bent), options, report);
-  return refined.ok() ? refinedToJs(refined.value()) : failure(refined.error());
+  const std::vector<Index> patches = fromJs<Index>(mesh["surfacePatch"]);
+  const auto refined = refineBlocks<N>(blocks, patches, BentShape<N>(bent), options, report);
+  if (!refined.ok()) return failure(refined.error());
+  val m = refinedToJs(refined.value());
+  const Certificate certificate = certifyElements<N>(
+      {refined.value(), blocks, patches, bent, mesh["domainMeasure"].as<double>(), mayStayStraight});
+  m.set("certificate", certificateToJs(certificate, 2, std::size(kCheckNames)));
+  return m;
 }
 
 /// mesh: {dimension, positions, blocks, tags, surfaces, surfacePatch, faces, patchOfFace, segments,
-/// patchesOfSegment}, arrays of a run's result; options: {intervals, size, limit, ofSurface, gradedFacets,
-/// growths}; progress: (done) => void or null.
+/// patchesOfSegment}, arrays of a run's result, and its domainMeasure; options: {intervals, size, limit,
+/// ofSurface, gradedFacets, growths, straight}; progress: (done) => void or null.
 val refine(const val &mesh, const val &options, const val &progress) {
   return guarded([&] {
     RefineOptions wanted;
@@ -61,7 +69,9 @@ val refine(const val &mesh, const val &options, const val &progress) {
     const std::vector<double> growths = fromJs<double>(options["growths"]);
     for (std::size_t k = 0; k < facets.size(); ++k) wanted.gradings.push_back({facets[k], growths[k]});
     const bool isFlat = mesh["dimension"].as<int>() == 2;
-    return isFlat ? refineArrays<2>(mesh, wanted, progress) : refineArrays<3>(mesh, wanted, progress);
+    const bool mayStayStraight = options["straight"].as<bool>();
+    return isFlat ? refineArrays<2>(mesh, wanted, mayStayStraight, progress)
+                  : refineArrays<3>(mesh, wanted, mayStayStraight, progress);
   });
 }
 

@@ -1,7 +1,7 @@
 // The report of a run (format "dualblock-report/1"): what every script that calls dualblock depends on.
 import { version } from '../package.json';
 import type { RefinedMesh } from './refine.ts';
-import type { CoreError, RunResult } from './result.ts';
+import type { Certificate, CoreError, RunResult } from './result.ts';
 import type { Settings } from './settings.ts';
 
 export const reportFormat = 'dualblock-report/1';
@@ -106,7 +106,7 @@ export function makeReport(
 }
 export type Report = ReturnType<typeof makeReport>;
 
-/** What blocks were divided into. Each element is positive where its block is (ARCHITECTURE.md 9). */
+/** What blocks were divided into, with a certificate of its own. */
 function describeRefined(refined: RefinedMesh, dimension: 2 | 3) {
   const intervals = Object.fromEntries(
     Array.from(refined.intervals, (n, surface) => [surface, n] as const).filter(([, n]) => n > 0),
@@ -117,6 +117,7 @@ function describeRefined(refined: RefinedMesh, dimension: 2 | 3) {
     /** Per D̄-surface. */
     intervals,
     straightenedBlocks: refined.straightened,
+    certificate: refined.certificate,
     scaledJacobian: summarize(refined.quality),
   };
 }
@@ -190,8 +191,7 @@ export function describe(report: Report): string {
       ? `${parts.count} parts, simplices where ${confined} would not be simple (${parts.fallbackReason})`
       : `${parts.count} part(s)`;
   const quality = report.quality.scaledJacobian;
-  const { domainMeasure, meshMeasure } = certificate;
-  const off = (100 * (meshMeasure - domainMeasure)) / domainMeasure;
+  const handedOut = report.refined?.certificate ?? certificate;
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
     mesh.extracted.length + mesh.inserted > 0
@@ -203,20 +203,34 @@ export function describe(report: Report): string {
     report.refined
       ? `  refined: ${report.refined.elements} elements, ${report.refined.nodes} nodes, scaled Jacobian: minimum ${report.refined.scaledJacobian?.min.toFixed(3)}`
       : '',
-    report.refined?.straightenedBlocks ? `  ${straightenedText(report.refined.straightenedBlocks)}` : '',
-    certificate.isExact
-      ? ''
-      : `  ${reference.bentSides} bent side(s): straight blocks hold ${off.toFixed(1)} % ${off < 0 ? 'less' : 'more'} than the domain`.replace(
-          ' -',
-          ' ',
-        ),
-    certificate.valid
-      ? `  certified${report.refined?.straightenedBlocks ? ', as blocks' : ''}: matching, cells, topology, geometry, features`
+    report.refined?.straightenedBlocks && handedOut.valid
+      ? `  ${straightenedText(report.refined.straightenedBlocks)}`
+      : '',
+    describeFidelity(reference.bentSides, handedOut, report.refined ? 'elements' : 'blocks'),
+    describeFeatures(report.features.curves),
+    handedOut.valid && certificate.valid
+      ? `  certified${report.refined ? ', its elements' : ''}: matching, cells, topology, geometry, features`
       : '  NOT VALID:',
-    ...certificate.failures.map((f) => `    ${f.check}: ${f.message}`),
+    ...(certificate.valid ? handedOut : certificate).failures.map((f) => `    ${f.check}: ${f.message}`),
   ]
     .filter((line) => line !== '')
     .join('\n');
+}
+
+/** How near the mesh that is handed out comes to bent sides. */
+function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate, what: string): string {
+  if (isExact) return '';
+  const off = 100 * fidelity.volumeDifference;
+  const than = `${Math.abs(off).toFixed(off * off < 0.01 ? 2 : 1)} % ${off < 0 ? 'less' : 'more'} than the domain`;
+  const distance = `${(100 * fidelity.largestDistance).toFixed(0)} % of their size`;
+  return `  ${bentSides} bent side(s): straight ${what} hold ${than}, stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
+}
+
+/** Curves (2D: vertices) around which another number of blocks meets than is ideal (paper 2.4). */
+function describeFeatures(tally: FeatureTally[]): string {
+  const all = tally.reduce((sum, { curves }) => sum + curves, 0);
+  const other = tally.reduce((sum, { ideal, actual, curves }) => sum + (ideal === actual ? 0 : curves), 0);
+  return other === 0 ? '' : `  ${other} of ${all} curves have not their ideal number of blocks around them`;
 }
 
 /** Of blocks whose elements do not follow the bent sides beside them. */

@@ -32,6 +32,19 @@ export interface Certificate extends Record<Check, boolean | null> {
   worstCoefficient: number;
   /** The two measures agree to rounding; where sides are bent, straight blocks may only come near. */
   isExact: boolean;
+  fidelity: Fidelity;
+}
+
+/** How near a mesh comes to a domain with bent sides; zeros where it is the domain. */
+export interface Fidelity {
+  /** The largest distance between a face and its side, or an edge and its curve, as a share of the local size. */
+  largestDistance: number;
+  /** Degrees: the most that a side turns by in a face, or a curve along an edge. */
+  largestTurning: number;
+  /** Of the mesh's volume from the domain's, as a share of that. */
+  volumeDifference: number;
+  /** The bent sides, each by one of its facets. */
+  sides: { facet: number; distance: number; turning: number }[];
 }
 
 export interface RunResult {

@@ -42,6 +42,7 @@ function uneven(surfaces: Iterable<number>): Refinement {
       { facet: 0, growth: 1.5 },
       { facet: 1, growth: 2 },
     ],
+    straight: false,
   };
 }
 

@@ -54,7 +54,7 @@ async function run(command: Run): Promise<number> {
     const report = makeReport(result, settings, core.memory().peak, refined);
     await putReport(command.report, report);
     if (command.report !== '-') process.stdout.write(`${describe(report)}\n`);
-    if (!result.certificate.valid) return exitStatus.noValidMesh;
+    if (!result.certificate.valid || refined?.certificate.valid === false) return exitStatus.noValidMesh;
     if (writers.length > 0 && result.onlyMatching)
       throw new UsageError('a domain with contributions of its own makes no mesh to write', 'leave -o out');
     for (const { path, write } of writers) await save(path, write(result, refined));

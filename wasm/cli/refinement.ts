@@ -12,8 +12,9 @@ export interface GivenRefinement extends Omit<Refinement, 'gradings'> {
 /** Null where nothing is said. Throws a UsageError. */
 export function refinementOf(given: Map<string, string[]>): GivenRefinement | null {
   const [refine = [], size, grade = []] = [given.get('refine'), given.get('size')?.[0], given.get('grade')];
-  if (refine.length === 0 && size === undefined && grade.length === 0) return null;
-  const refinement: GivenRefinement = { ...noRefinement, ofSurface: [], gradings: [] };
+  const straight = given.has('straight');
+  if (refine.length === 0 && size === undefined && grade.length === 0 && !straight) return null;
+  const refinement: GivenRefinement = { ...noRefinement, ofSurface: [], gradings: [], straight };
   const everywhere: string[] = [];
   for (const value of refine) {
     const [, surface, count] = /^(?:(\d{1,9})=)?([1-9]\d{0,8})$/.exec(value) ?? [];
@@ -48,6 +49,8 @@ export function refinementOf(given: Map<string, string[]>): GivenRefinement | nu
       '--grade grades no element',
       'divide edges as well: --refine N, with N over 1, or --size H',
     );
+  if (straight && !isRefined(refinement as unknown as Refinement))
+    throw new UsageError('--straight is about elements', 'divide edges as well: --refine N or --size H');
   return refinement;
 }
 

@@ -1,5 +1,7 @@
 // What leaves the page: pictures, meshes, what is seen as glTF, reports.
+
 import type { AsyncChunks, Chunks } from '../../wasm/io/block-mesh.ts';
+import { DualblockError } from '../../wasm/io/errors.ts';
 import { refineInput } from '../../wasm/refine.ts';
 import { makeReport, summarize } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
@@ -96,6 +98,13 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
     const refined = app.ui.state.exportsElements
       ? await app.core.elements(refineInput(result), refinement, (_, done) => work.progress('Refining', done))
       : null;
+    const fault = refined?.certificate.failures[0];
+    if (fault)
+      throw new DualblockError(
+        'badOption',
+        `The refined mesh is not valid: ${fault.message}.`,
+        fault.entities,
+      );
     const pieces = meshWriter(`mesh.${extension}`)(result, refined);
     download(await blobOf(pieces, work), `${baseName(model)}.${extension}`);
   },

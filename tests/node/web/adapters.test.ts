@@ -219,7 +219,7 @@ describe('what is drawn', () => {
     expect(shown(5, { surfaces: 'soft' })).toMatchObject({ surfaces: 0 });
     // Blocks' edges are not left behind where elements are gone or moved.
     const refined = refiner.refine(refineInput(m.result), { intervals: 2 });
-    const refinement = { intervals: 2, size: 0, ofSurface: [], gradings: [] };
+    const refinement = { intervals: 2, size: 0, ofSurface: [], gradings: [], straight: false };
     scene.setRefined({ ...displayRefined(3, refined), refinement });
     expect(shown(9)).toEqual({ refined: 56, outline: 54 });
     const slice = { axis: 'x', normal: [1, 0, 0], offset: 0, slab: null, capped: false } as const;

@@ -1,6 +1,6 @@
 // Steps 2, 8 and 9: cells of one shape each: simplices, blocks, and the elements that blocks are divided into.
 import type { RefinedMesh } from '../../../wasm/refine.ts';
-import type { RunResult } from '../../../wasm/result.ts';
+import type { Certificate, RunResult } from '../../../wasm/result.ts';
 import {
   type CellSet,
   findNeighbors,
@@ -67,6 +67,8 @@ export interface RefinedCells {
   quality: Float64Array;
   /** Blocks with straight elements beside a bent side. */
   straightened: number;
+  /** Of the elements. */
+  certificate: Certificate;
 }
 
 /** Beyond so many elements only those at the boundary are cells: the others would mostly be in memory for nothing. */
@@ -74,11 +76,11 @@ const mostWithInside = 250_000;
 
 /** What is drawn of a refined mesh. */
 export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCells {
-  const { positions, elements, block, quality, straightened } = mesh;
+  const { positions, elements, block, quality, straightened, certificate } = mesh;
   if (dimension === 2 || quality.length <= mostWithInside) {
     const cells = displayBlocks(dimension, positions, elements);
     const outline = outlineOf(dimension, mesh, null);
-    return { cells, outline, element: null, mesh: null, block, quality, straightened };
+    return { cells, outline, element: null, mesh: null, block, quality, straightened, certificate };
   }
   const outer = new Uint8Array(quality.length);
   for (const e of mesh.boundaryElement) outer[e] = 1;
@@ -99,6 +101,7 @@ export function displayRefined(dimension: 2 | 3, mesh: RefinedMesh): RefinedCell
     block,
     quality,
     straightened,
+    certificate,
   };
 }
 

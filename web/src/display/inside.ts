@@ -25,7 +25,12 @@ export class Inside {
   private depths: Int32Array | null = null;
 
   /** Of a mesh whose cells are not all of its elements. */
-  constructor({ cells, mesh, element, quality }: Omit<RefinedCells, 'outline' | 'block' | 'straightened'>) {
+  constructor({
+    cells,
+    mesh,
+    element,
+    quality,
+  }: Omit<RefinedCells, 'outline' | 'block' | 'straightened' | 'certificate'>) {
     this.positions = mesh!.positions;
     this.elements = mesh!.elements;
     this.outer = element!;

@@ -2,7 +2,7 @@
 
 import type { Refinement } from '../../../wasm/refine.ts';
 import { featureKinds, summarize, tallyFeatures } from '../../../wasm/report.ts';
-import type { Check, RunResult } from '../../../wasm/result.ts';
+import type { Certificate, Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
 import { elementCount, intervalsAcross, type SurfaceLayer, surfaceLayers } from './final-mesh.ts';
@@ -231,8 +231,38 @@ export interface CheckText {
   view: Partial<ViewState>;
 }
 
+/** Elements that have been checked, in the place of blocks. */
+interface CheckedElements {
+  quality: { length: number };
+  certificate: Certificate;
+}
+
 /** The checks of the certificate (ARCHITECTURE.md 6) with what each of them looked at. */
-export function checkTexts({ result }: Model): CheckText[] {
+export function checkTexts({ result }: Model, elements: CheckedElements | null = null): CheckText[] {
+  const texts = blockTexts(result);
+  if (!elements) return texts;
+  const { quality, certificate } = elements;
+  const count = quality.length.toLocaleString('en');
+  const looked: Partial<Record<Check, string>> = {
+    topology: `The faces of ${count} elements: each in one or two of them, on opposite sides, the others the boundary.`,
+    geometry: `${count} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its element’s largest; ${measuresText(certificate, result.dimension)}.`,
+    features: certificate.isExact
+      ? 'Elements are pieces of blocks that keep them.'
+      : `The elements’ boundary: embedded, and near the bent sides.${fidelityText(certificate)}`,
+  };
+  return texts.map((text) => ({ ...text, looked: looked[text.check] ?? text.looked }));
+}
+
+const measuresText = ({ meshMeasure, domainMeasure }: Certificate, dimension: 2 | 3): string =>
+  `${dimension === 2 ? 'areas' : 'volumes'} ${meshMeasure.toPrecision(7)} and ${domainMeasure.toPrecision(7)}`;
+
+/** How near straight faces come to bent sides; empty where nothing bends. */
+const fidelityText = ({ isExact, fidelity }: Certificate): string =>
+  isExact
+    ? ''
+    : ` Faces are up to ${(100 * fidelity.largestDistance).toFixed(0)} % of their size off bent sides, which turn by up to ${fidelity.largestTurning.toFixed(0)}° in them.`;
+
+function blockTexts(result: RunResult): CheckText[] {
   const { dimension, reference, contributions, primal, domain, features, certificate } = result;
   const n = dimension;
   const flat = n === 2;
@@ -269,13 +299,13 @@ export function checkTexts({ result }: Model): CheckText[] {
       title: certificate.isExact
         ? 'No block is inverted; measures agree'
         : 'No block is inverted; straight blocks come near',
-      looked: `${primal.quality.length} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its block’s largest; ${flat ? 'areas' : 'volumes'} ${certificate.meshMeasure.toPrecision(7)} and ${certificate.domainMeasure.toPrecision(7)}.`,
+      looked: `${primal.quality.length} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its block’s largest; ${measuresText(certificate, dimension)}.`,
       view: { ...show(8, { blocks: { visible: true, opacity: 1 } }), shrink: 1 },
     },
     {
       check: 'features',
       title: 'Vertices, curves and facets are kept',
-      looked: `${domain.vertices.length / n} vertices, ${features.kind.length} ${flat ? 'angles' : 'curves'}, ${domain.facetOffsets.length - 1} ${flat ? 'segments' : 'facets'}: nodes, chains of edges and unions of faces of the mesh.`,
+      looked: `${domain.vertices.length / n} vertices, ${features.kind.length} ${flat ? 'angles' : 'curves'}, ${domain.facetOffsets.length - 1} ${flat ? 'segments' : 'facets'}: nodes, chains of edges and unions of faces of the mesh.${fidelityText(certificate)}`,
       view: show(7, {
         curves: { visible: true, opacity: 1 },
         vertices: { visible: true, opacity: 1 },

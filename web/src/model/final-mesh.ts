@@ -38,6 +38,7 @@ export function refinementOf(
     gradings: Object.entries(gradings)
       .map(([facet, growth]) => ({ facet: Number(facet), growth }))
       .filter(({ facet }) => facet < facets),
+    straight: false,
   };
 }
 

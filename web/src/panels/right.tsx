@@ -1,5 +1,6 @@
 // Right panel: what the step is, the certificate, the selection, the list of entities.
 import { straightenedText } from '../../../wasm/report.ts';
+import type { Certificate } from '../../../wasm/result.ts';
 import { hideSelection, isolateSelection } from '../actions.ts';
 import { entityOf } from '../model/culprits.ts';
 import { checkTexts, describeEntity, explain } from '../model/explain.ts';
@@ -70,7 +71,17 @@ export function ExplainPanel() {
         </p>
       )}
       {refined && refined.straightened > 0 && <p class="hint">{straightenedText(refined.straightened)}</p>}
-      {invariant && <p class={model.result.certificate.valid ? 'invariant' : 'invariant bad'}>{invariant}</p>}
+      {invariant && (
+        <p
+          class={
+            model.result.certificate.valid && refined?.certificate.valid !== false
+              ? 'invariant'
+              : 'invariant bad'
+          }
+        >
+          {invariant}
+        </p>
+      )}
       {step >= 8 && <Histogram />}
       <CertificatePanel />
     </section>
@@ -93,12 +104,29 @@ function stepTitle(step: Step, model: Model): string {
   return titles[step - 1]!;
 }
 
+/** The certificate of what a step shows: of elements, where they have checks of their own, else of blocks. */
+const handedOut = (blocks: Certificate, elements?: Certificate): Certificate =>
+  elements
+    ? {
+        ...elements,
+        matching: blocks.matching,
+        cells: blocks.cells,
+        valid: blocks.valid && elements.valid,
+        failures: [...blocks.failures, ...elements.failures],
+      }
+    : blocks;
+
 function CertificatePanel() {
   const app = useApp();
+  const step = useView((s) => s.step);
   const { model } = app;
   if (!model) return null;
-  const { certificate, onlyMatching } = model.result;
-  const texts = checkTexts(model).filter(({ check }) => !onlyMatching || check === 'matching');
+  const { onlyMatching } = model.result;
+  const refined = step === 9 ? app.stage.scene?.refinement : null;
+  const certificate = handedOut(model.result.certificate, refined?.certificate);
+  const texts = checkTexts(model, refined ?? null).filter(
+    ({ check }) => !onlyMatching || check === 'matching',
+  );
   return (
     <section aria-labelledby="certificate-title" class="certificate">
       <h3 id="certificate-title">
