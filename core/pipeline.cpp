@@ -281,7 +281,7 @@ void checkMatchingOnly(PipelineResult<2> &r) {
   const Domain<2> &domain = r.domain.domain;
   r.contributions = givenContributions(r.mesh, domain.contributions);
   for (const MatchingFault &fault :
-       checkGivenContributions(r.mesh, domain.reference->simplices, domain.contributions))
+       checkGivenContributions(domain.reference->simplices, domain.contributions))
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
 }
 

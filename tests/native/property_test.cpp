@@ -1,6 +1,5 @@
 // Random solids of every kind: whatever they look like, the certificate holds. 540 a run; DUALBLOCK_TRIALS
 // sets another number per kind, DUALBLOCK_FIRST_SEED where to begin. A failure names kind and seed.
-#include <cstdlib>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -10,11 +9,6 @@
 
 namespace dualblock::test {
 namespace {
-
-std::uint32_t fromEnvironment(const char *name, std::uint32_t otherwise) {
-  const char *const text = std::getenv(name);
-  return text ? static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
-}
 
 class Property : public ::testing::TestWithParam<int> {};
 
