@@ -347,7 +347,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
   const bool mayPropose = wantsShape || r.bentSides > 0;
   const ReferenceMesh<N> uncut = mayPropose ? r.mesh : ReferenceMesh<N>{};
-  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
+  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse, isCoarse);
   std::vector<PartProposal<N>> proposals;
   const auto propose = [&, score = choice.score](Proposals which) {
     proposals = proposeParts<N>(uncut, r.features, cutOptions, needCoarse, score, which);

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "parts/parts.h"
+#include "parts/features.h"
 
 namespace dualblock {
 
@@ -14,7 +14,7 @@ struct CutPolicy {
   bool isLast = false; // where no other serves: a round rim gets one sheet, in the place of its sectors' two,
                        // and hollow sides that turn are cut along
 
-  bool wantsCut(double angle) const { return angle > largestAngle; }
+  bool wantsCut(double angle) const { return angle > largestAngle + kAngleSlack; }
 };
 
 struct CutOptions {

@@ -7,9 +7,9 @@ namespace dualblock {
 
 CurveKind curveKind(double angle) {
   constexpr double kDegree = std::numbers::pi / 180;
-  if (angle <= 135 * kDegree) return CurveKind::end;
-  if (angle <= 225 * kDegree) return CurveKind::side;
-  return angle <= 315 * kDegree ? CurveKind::corner : CurveKind::reversal;
+  if (angle <= 135 * kDegree + kAngleSlack) return CurveKind::end;
+  if (angle <= 225 * kDegree + kAngleSlack) return CurveKind::side;
+  return angle <= 315 * kDegree + kAngleSlack ? CurveKind::corner : CurveKind::reversal;
 }
 
 template <int N> Features classifyFeatures(const Parts<N> &uncut) {

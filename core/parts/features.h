@@ -20,6 +20,10 @@ struct Features {
   std::vector<VertexKind> vertices; // per vertex node
 };
 
+/// Radians: angles that differ by less do so by rounding, which is not the same on every reference mesh. What
+/// compares them with round numbers allows for it.
+inline constexpr double kAngleSlack = 1e-7;
+
 /// angle: inside the domain, in radians.
 CurveKind curveKind(double angle);
 
