@@ -336,6 +336,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
 
   clock.start("features", 0.3);
   r.features = buildParts(r.mesh, PartOptions{});
+  keepVertices(r.mesh, r.features);
   r.featureNodes = r.mesh.nodes;
   r.featureKinds = classifyFeatures(r.features);
 

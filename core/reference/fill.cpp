@@ -220,9 +220,10 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
     if (contacts[f].cell == kNone) continue;
     const auto isIn = [&](Index c) { return c != kNone && inside[at(c)]; };
     bool behind = contacts[f].intoFront;
-    // Outer facets: the one side that is in the domain must be behind. Interfaces: the lower-numbered cell.
+    // Outer facets: the one side that is in the domain must be behind. Interfaces stay as they are given, for
+    // another mesh numbers the cells otherwise.
     const bool outer = isIn(contacts[f].cell) != isIn(contacts[f].neighbor);
-    const bool wanted = outer ? isIn(contacts[f].cell) : contacts[f].cell < contacts[f].neighbor;
+    const bool wanted = outer ? isIn(contacts[f].cell) : behind;
     if (behind != wanted && contacts[f].cell != contacts[f].neighbor) {
       mesh.surfaces[f].plane = {-mesh.surfaces[f].plane.normal, -mesh.surfaces[f].plane.offset};
       behind = !behind;

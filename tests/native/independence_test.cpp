@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, Independence, ::testing::ValuesIn(computedExa
                          [](const auto &info) { return info.param; });
 
 /// Random domains with plane sides and reflex curves in general position, or as regular as can be: on any
-/// mesh the same blocks. 100 a run; DUALBLOCK_TRIALS sets another number per kind, DUALBLOCK_FIRST_SEED where
+/// mesh the same blocks. 120 a run; DUALBLOCK_TRIALS sets another number per kind, DUALBLOCK_FIRST_SEED where
 /// to begin. A failure names the kind and the seed.
 template <int N, typename Make> void tryRandom(const char *kind, std::uint32_t standard, Make make) {
   const std::uint32_t first = fromEnvironment("DUALBLOCK_FIRST_SEED", 1);
@@ -107,6 +107,12 @@ template <int N, typename Make> void tryRandom(const char *kind, std::uint32_t s
 TEST(Independence, RandomPolygons) { tryRandom<2>("polygon", 60, randomPolygon); }
 
 TEST(Independence, RandomFrusta) { tryRandom<3>("frustum", 40, randomFrustum); }
+
+// Interfaces have no outside: which way they face is the domain's, or parts of one mesh and features of
+// another would not go together. And regions that touch themselves along an edge have no vertices there.
+TEST(Independence, RandomAssemblies) {
+  tryRandom<3>("assembly", 20, [](std::uint32_t seed) { return randomSolid(4, seed); });
+}
 
 // Figure 9 as such: two given reference meshes of one rectangle, and TetGen's.
 TEST(Independence, Figure9) {
