@@ -334,7 +334,7 @@ void checkMatchingOnly(PipelineResult<2> &r) {
   const Domain<2> &domain = r.domain.domain;
   r.contributions = givenContributions(r.mesh, domain.contributions);
   for (const MatchingFault &fault :
-       checkGivenContributions(r.mesh, domain.reference->simplices, domain.contributions))
+       checkGivenContributions(domain.reference->simplices, domain.contributions))
     r.certificate.fail(Check::matching, fault.message, {{"node", fault.near}, {"node", fault.far}});
 }
 
@@ -389,6 +389,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
 
   clock.start("features", 0.3);
   r.features = buildParts(r.mesh, PartOptions{});
+  keepVertices(r.mesh, r.features);
   r.featureNodes = r.mesh.nodes;
   r.featureKinds = classifyFeatures(r.features);
 
@@ -400,7 +401,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
   const bool mayPropose = wantsShape || r.bentSides > 0;
   const ReferenceMesh<N> uncut = mayPropose ? r.mesh : ReferenceMesh<N>{};
-  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse);
+  PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse, isCoarse);
   std::vector<PartProposal<N>> proposals;
   const auto propose = [&, score = choice.score](Proposals which) {
     proposals = proposeParts<N>(uncut, r.features, cutOptions, needCoarse, score, which);

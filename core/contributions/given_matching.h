@@ -18,9 +18,10 @@ struct MatchingFault {
 /// Checks every matching point. A contribution touches an edge of its triangle at the point near node a when
 /// its subset holds a but not the edge's other node. At an inner point as many hard contributions must arrive
 /// from the left as from the right. Soft contributions collapse the points that they join into one virtual
-/// point, where two or four hard ones must arrive. A boundary point takes one hard contribution or none.
-std::vector<MatchingFault> checkGivenContributions(const ReferenceMesh<2> &mesh,
-                                                   const std::vector<std::array<Index, 3>> &triangles,
+/// point, where two or four hard ones must meet; and at each edge that it is on, those that arrive on the
+/// left, at any of its points, must be as many as on the right. A boundary point takes one hard contribution
+/// or none. Where all this holds, each D-bar-curve must cross another or itself: only there are blocks.
+std::vector<MatchingFault> checkGivenContributions(const std::vector<std::array<Index, 3>> &triangles,
                                                    const std::vector<GivenContribution> &contributions);
 
 /// The same as contributions of the reference mesh, for looking at; they belong to no side.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/sort.h"
 #include "domain/polygon.h"
@@ -48,8 +49,8 @@ template <int N, typename Visit> void sweep(const Domain<N> &domain, double marg
     }
 }
 
-double distanceToSegment(const Vec<2> &x, const Vec<2> &a, const Vec<2> &b) {
-  const Vec<2> d = b - a;
+template <int N> double distanceToSegment(const Vec<N> &x, const Vec<N> &a, const Vec<N> &b) {
+  const Vec<N> d = b - a;
   const double t = std::clamp(glm::dot(x - a, d) / glm::dot(d, d), 0.0, 1.0);
   return glm::length(x - (a + t * d));
 }
@@ -71,7 +72,7 @@ public:
     bool inside = false;
     for (const auto &loop : loops_) {
       for (std::size_t k = 0; k < loop.size(); ++k)
-        if (distanceToSegment(x, loop[k], loop[(k + 1) % loop.size()]) <= tolerance) return false;
+        if (distanceToSegment<2>(x, loop[k], loop[(k + 1) % loop.size()]) <= tolerance) return false;
       if (insidePolygon(loop, x)) inside = !inside;
     }
     return inside;
@@ -126,55 +127,131 @@ std::optional<Vec<3>> meets(const Domain<3> &domain, Index p, Index q, const Fac
   return flat.holds(flat.project(x), tolerance) ? std::optional<Vec<3>>(x) : std::nullopt;
 }
 
+/// Where two edges without a common vertex meet, or one ends on the other.
+std::optional<Vec<3>> edgesMeet(const std::array<Vec<3>, 2> &e, const std::array<Vec<3>, 2> &f,
+                                double tolerance) {
+  const Vec<3> u = e[1] - e[0];
+  const Vec<3> v = f[1] - f[0];
+  const Vec<3> w = f[0] - e[0];
+  const double uu = glm::dot(u, u);
+  const double vv = glm::dot(v, v);
+  const double uv = glm::dot(u, v);
+  const double square = uu * vv - uv * uv;
+  constexpr double kParallel = 1e-16; // of the product of their squares
+  if (square > kParallel * uu * vv) {
+    const double s = (glm::dot(u, w) * vv - glm::dot(v, w) * uv) / square;
+    const double t = (glm::dot(u, w) * uv - glm::dot(v, w) * uu) / square;
+    const Vec<3> x = e[0] + s * u;
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1 && glm::length(x - (f[0] + t * v)) <= tolerance) return x;
+  }
+  for (const Vec<3> &x : f)
+    if (distanceToSegment<3>(x, e[0], e[1]) <= tolerance) return x;
+  for (const Vec<3> &x : e)
+    if (distanceToSegment<3>(x, f[0], f[1]) <= tolerance) return x;
+  return std::nullopt;
+}
+
+std::optional<Vec<2>> segmentsMeet(const Domain<2> &domain, const std::vector<Index> &s,
+                                   const std::vector<Index> &t, double tolerance) {
+  const Vec<2> a = domain.vertices[at(s[0])];
+  const Vec<2> b = domain.vertices[at(s[1])];
+  const Vec<2> c = domain.vertices[at(t[0])];
+  const Vec<2> d = domain.vertices[at(t[1])];
+  // An end of one on the other, unless it is a common end.
+  for (const Index v : s)
+    if (v != t[0] && v != t[1] && distanceToSegment<2>(domain.vertices[at(v)], c, d) <= tolerance)
+      return domain.vertices[at(v)];
+  for (const Index v : t)
+    if (v != s[0] && v != s[1] && distanceToSegment<2>(domain.vertices[at(v)], a, b) <= tolerance)
+      return domain.vertices[at(v)];
+  const auto side = [](const Vec<2> &p, const Vec<2> &q, const Vec<2> &x) {
+    return (q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x);
+  };
+  const auto isShared = [&](Index v) { return v == s[0] || v == s[1]; };
+  if (isShared(t[0]) || isShared(t[1]) || side(a, b, c) * side(a, b, d) >= 0 ||
+      side(c, d, a) * side(c, d, b) >= 0)
+    return std::nullopt;
+  const double u = side(c, d, a) / (side(c, d, a) - side(c, d, b));
+  return a + u * (b - a);
+}
+
+/// Calls visit(v, w) for the ends of each edge of a facet, until it returns true.
+template <typename Visit> bool visitEdges(const Facet &facet, Visit visit) {
+  for (const auto &loop : facet.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      if (visit(loop[k], loop[(k + 1) % loop.size()])) return true;
+  return false;
+}
+
 } // namespace
 
-std::optional<Intersection<2>> findIntersection(const Domain<2> &domain, double tolerance) {
-  std::optional<Intersection<2>> found;
+std::vector<Intersection<2>> findIntersections(const Domain<2> &domain, double tolerance, std::size_t most) {
+  std::vector<Intersection<2>> found;
   sweep(domain, tolerance, [&](Index f, Index g) {
-    const auto &s = domain.facets[at(f)].loops[0];
-    const auto &t = domain.facets[at(g)].loops[0];
-    const Vec<2> a = domain.vertices[at(s[0])];
-    const Vec<2> b = domain.vertices[at(s[1])];
-    const Vec<2> c = domain.vertices[at(t[0])];
-    const Vec<2> d = domain.vertices[at(t[1])];
-    const auto isShared = [&](Index v) { return v == s[0] || v == s[1]; };
-    // An end of one on the other, unless it is a common end.
-    for (const Index v : t)
-      if (!isShared(v) && distanceToSegment(domain.vertices[at(v)], a, b) <= tolerance)
-        found = {f, g, domain.vertices[at(v)]};
-    for (const Index v : s)
-      if (v != t[0] && v != t[1] && distanceToSegment(domain.vertices[at(v)], c, d) <= tolerance)
-        found = {f, g, domain.vertices[at(v)]};
-    const auto side = [](const Vec<2> &p, const Vec<2> &q, const Vec<2> &x) {
-      return (q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x);
-    };
-    if (!found && !isShared(t[0]) && !isShared(t[1]) && side(a, b, c) * side(a, b, d) < 0 &&
-        side(c, d, a) * side(c, d, b) < 0) {
-      const double u = side(c, d, a) / (side(c, d, a) - side(c, d, b));
-      found = {f, g, a + u * (b - a)};
-    }
-    return found.has_value();
+    if (const auto x =
+            segmentsMeet(domain, domain.facets[at(f)].loops[0], domain.facets[at(g)].loops[0], tolerance))
+      found.push_back({f, g, *x});
+    return found.size() >= most;
   });
   return found;
 }
 
-std::optional<Intersection<3>> findIntersection(const Domain<3> &domain, double tolerance) {
+std::vector<Intersection<3>> findIntersections(const Domain<3> &domain, double tolerance, std::size_t most) {
   std::vector<Plane<3>> planes;
   for (const Facet &facet : domain.facets) planes.push_back(facetPlane<3>(domain.vertices, facet));
-  std::optional<Intersection<3>> found;
-  const auto edgesMeet = [&](Index f, Index g) {
-    for (const auto &loop : domain.facets[at(f)].loops)
-      for (std::size_t k = 0; k < loop.size() && !found; ++k)
-        if (const auto x = meets(domain, loop[k], loop[(k + 1) % loop.size()], domain.facets[at(g)],
-                                 planes[at(g)], tolerance))
-          found = {std::min(f, g), std::max(f, g), *x};
-  };
+  std::vector<Intersection<3>> found;
   sweep(domain, tolerance, [&](Index f, Index g) {
-    edgesMeet(f, g);
-    if (!found) edgesMeet(g, f);
-    return found.has_value();
+    std::optional<Vec<3>> x;
+    const auto entersFacet = [&](Index edges, Index facet) {
+      return visitEdges(domain.facets[at(edges)], [&](Index p, Index q) {
+        x = meets(domain, p, q, domain.facets[at(facet)], planes[at(facet)], tolerance);
+        return x.has_value();
+      });
+    };
+    const auto crossesEdge = [&] {
+      return visitEdges(domain.facets[at(f)], [&](Index p, Index q) {
+        return visitEdges(domain.facets[at(g)], [&](Index r, Index s) {
+          const std::array<Vec<3>, 2> e{domain.vertices[at(p)], domain.vertices[at(q)]};
+          const std::array<Vec<3>, 2> d{domain.vertices[at(r)], domain.vertices[at(s)]};
+          // By place: the vertices of the input may be one per facet.
+          if (e[0] == d[0] || e[0] == d[1] || e[1] == d[0] || e[1] == d[1]) return false;
+          x = edgesMeet(e, d, tolerance);
+          return x.has_value();
+        });
+      });
+    };
+    if (entersFacet(f, g) || entersFacet(g, f) || crossesEdge()) found.push_back({f, g, *x});
+    return found.size() >= most;
   });
   return found;
 }
+
+template <int N>
+std::string describeIntersections(const std::string &facets, const std::vector<Intersection<N>> &found) {
+  std::string text = facets;
+  for (std::size_t k = 0; k < found.size() && k < kNamedPlaces; ++k) {
+    text += (k > 0 ? ", " : " ") + std::to_string(found[k].facetA) + " and " +
+            std::to_string(found[k].facetB) + (k > 0 ? " at (" : " meet at (");
+    for (int c = 0; c < N; ++c) text += (c > 0 ? ", " : "") + formatNumber(found[k].where[c]);
+    text += ")";
+  }
+  return found.size() > kNamedPlaces ? text + ", and others elsewhere" : text;
+}
+
+template <int N>
+std::vector<EntityRef> culpritsOf(const std::string &kind, const std::vector<Intersection<N>> &found) {
+  std::vector<EntityRef> entities;
+  for (std::size_t k = 0; k < found.size() && k < kNamedPlaces; ++k)
+    for (const Index facet : {found[k].facetA, found[k].facetB})
+      if (std::none_of(entities.begin(), entities.end(),
+                       [&](const EntityRef &e) { return e.index == facet; }))
+        entities.push_back({kind, facet});
+  return entities;
+}
+
+template std::string describeIntersections(const std::string &, const std::vector<Intersection<2>> &);
+template std::string describeIntersections(const std::string &, const std::vector<Intersection<3>> &);
+template std::vector<EntityRef> culpritsOf(const std::string &, const std::vector<Intersection<2>> &);
+template std::vector<EntityRef> culpritsOf(const std::string &, const std::vector<Intersection<3>> &);
 
 } // namespace dualblock

@@ -50,23 +50,25 @@ bool insidePolygon(const std::vector<Vec<2>> &polygon, const Vec<2> &x) {
   return inside;
 }
 
-Vec<2> pointInside(const std::vector<Vec<2>> &polygon) {
+Vec<2> pointInside(const std::vector<std::vector<Vec<2>>> &polygons) {
   // Along a horizontal line between two corner heights, the widest gap between crossings 2k and 2k+1.
   std::vector<double> heights;
-  for (const Vec<2> &p : polygon) heights.push_back(p.y);
+  for (const auto &polygon : polygons)
+    for (const Vec<2> &p : polygon) heights.push_back(p.y);
   sortItems(heights);
-  Vec<2> best = polygon[0];
+  Vec<2> best = polygons[0][0];
   double bestRoom = 0;
   for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
     const double room = heights[h + 1] - heights[h];
     if (room <= 0) continue;
     const double y = heights[h] + room / 2;
     std::vector<double> crossings;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Vec<2> &a = polygon[k];
-      const Vec<2> &b = polygon[(k + 1) % polygon.size()];
-      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-    }
+    for (const auto &polygon : polygons)
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec<2> &a = polygon[k];
+        const Vec<2> &b = polygon[(k + 1) % polygon.size()];
+        if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+      }
     sortItems(crossings);
     for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
       const double width = std::min(crossings[c + 1] - crossings[c], room);
@@ -76,6 +78,29 @@ Vec<2> pointInside(const std::vector<Vec<2>> &polygon) {
     }
   }
   return best;
+}
+
+std::vector<std::vector<Vec<2>>> projected(const std::vector<Vec<3>> &vertices, const Facet &facet,
+                                           const PlaneBasis &basis) {
+  std::vector<std::vector<Vec<2>>> polygons;
+  for (const auto &loop : facet.loops) {
+    polygons.emplace_back();
+    for (const Index v : loop) polygons.back().push_back(basis.project(vertices[at(v)]));
+  }
+  return polygons;
+}
+
+std::vector<std::vector<std::size_t>> nestingOf(const std::vector<std::vector<Vec<2>>> &polygons) {
+  std::vector<std::vector<std::size_t>> around(polygons.size());
+  if (polygons.size() < 2) return around;
+  std::vector<double> area;
+  for (const auto &polygon : polygons) area.push_back(std::abs(polygonArea2(polygon)));
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    const Vec<2> x = pointInside({polygons[k]});
+    for (std::size_t m = 0; m < polygons.size(); ++m)
+      if (area[m] > area[k] && insidePolygon(polygons[m], x)) around[k].push_back(m);
+  }
+  return around;
 }
 
 } // namespace dualblock

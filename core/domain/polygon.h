@@ -49,7 +49,14 @@ double polygonArea2(const std::vector<Vec<2>> &polygon);
 /// Whether a point lies inside a simple polygon; boundary points may go either way.
 bool insidePolygon(const std::vector<Vec<2>> &polygon, const Vec<2> &x);
 
-/// A point strictly inside a simple polygon of non-zero area.
-Vec<2> pointInside(const std::vector<Vec<2>> &polygon);
+/// A point strictly inside what simple polygons enclose, but not in the polygons inside of one of them.
+Vec<2> pointInside(const std::vector<std::vector<Vec<2>>> &polygons);
+
+/// The loops of a facet in a plane's coordinates.
+std::vector<std::vector<Vec<2>>> projected(const std::vector<Vec<3>> &vertices, const Facet &facet,
+                                           const PlaneBasis &basis);
+
+/// Per simple polygon, those that it lies in; they may touch, but not cross.
+std::vector<std::vector<std::size_t>> nestingOf(const std::vector<std::vector<Vec<2>>> &polygons);
 
 } // namespace dualblock

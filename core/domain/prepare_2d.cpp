@@ -97,12 +97,11 @@ Result<PreparedDomain<2>> prepareDomain(const Domain<2> &given, double tolerance
                        " has no length: remove one of the two.",
                    {{"edge", static_cast<std::int64_t>(f)}, {"vertex", s[0]}, {"vertex", s[1]}}};
   }
-  if (const auto crossing = findIntersection(given, tolerance * size))
+  if (const auto crossings = findIntersections(given, tolerance * size, kNamedPlaces + 1); !crossings.empty())
     return Error{ErrorCode::selfIntersection,
-                 "Segments " + std::to_string(crossing->facetA) + " and " + std::to_string(crossing->facetB) +
-                     " meet at (" + formatNumber(crossing->where.x) + ", " + formatNumber(crossing->where.y) +
-                     "), where they share no vertex: loops must neither cross nor touch.",
-                 {{"edge", crossing->facetA}, {"edge", crossing->facetB}}};
+                 describeIntersections("Segments", crossings) +
+                     ", where they share no vertex: loops must neither cross nor touch.",
+                 culpritsOf("edge", crossings)};
   if (auto error = checkVerticesOnce(given)) return *error;
   PreparedDomain<2> prepared;
   prepared.domain = given;

@@ -201,25 +201,34 @@ KeptFacets dropRepeatedFacets(PreparedDomain<3> &prepared, const Domain<3> &give
   return result;
 }
 
-/// Puts each facet's largest loop first and turns the others against it, as holes run.
+/// Puts each facet's largest loop first, and turns the others as they nest: holes against it, islands in them
+/// and pieces beside it as it runs.
 void orientHoleLoops(PreparedDomain<3> &prepared) {
-  const auto loopArea = [&](const std::vector<Index> &loop) {
-    return areaVector(prepared.domain.vertices, Facet{{loop}});
-  };
+  const std::vector<Vec<3>> &vertices = prepared.domain.vertices;
+  const auto loopArea = [&](const std::vector<Index> &loop) { return areaVector(vertices, Facet{{loop}}); };
   Index turned = 0;
   for (Facet &facet : prepared.domain.facets) {
+    const bool isSound =
+        std::all_of(facet.loops.begin(), facet.loops.end(), [](const auto &loop) { return loop.size() > 2; });
+    if (facet.loops.size() < 2 || !isSound) continue; // refused later
     const auto outer =
         std::max_element(facet.loops.begin(), facet.loops.end(), [&](const auto &a, const auto &b) {
           return glm::length(loopArea(a)) < glm::length(loopArea(b));
         });
     std::iter_swap(facet.loops.begin(), outer);
+    const Vec<3> area = loopArea(facet.loops[0]);
+    if (!(glm::length(area) > 0)) continue;
+    const auto polygons = projected(vertices, facet, PlaneBasis(glm::normalize(area)));
+    const auto around = nestingOf(polygons);
     for (std::size_t l = 1; l < facet.loops.size(); ++l) {
-      if (glm::dot(loopArea(facet.loops[l]), loopArea(facet.loops[0])) < 0) continue;
+      const bool isHole = around[l].size() % 2 == 1;
+      if ((polygonArea2(polygons[l]) < 0) == isHole) continue;
       std::reverse(facet.loops[l].begin(), facet.loops[l].end());
       ++turned;
     }
   }
-  if (turned > 0) prepared.repairs.push_back(std::to_string(turned) + " hole loops were turned round");
+  if (turned > 0)
+    prepared.repairs.push_back(std::to_string(turned) + " loops inside of facets were turned round");
 }
 
 /// Every edge must belong to at least two facets; and where to two only, solids share both of them or none.

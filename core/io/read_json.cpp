@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/sort.h"
 #include <nlohmann/json.hpp>
@@ -189,6 +190,7 @@ void readContributions(const Json &root, Domain<2> &domain) {
   if (found == root.end()) return;
   if (!domain.reference) refuse(ErrorCode::syntax, "\"contributions\" need a \"reference\" mesh.");
   const Json &list = arrayOf(*found, "\"contributions\"");
+  std::set<std::pair<Index, std::vector<Index>>> given;
   for (std::size_t c = 0; c < list.size(); ++c) {
     const std::string where = item("contributions", c);
     const std::string kind = textOf(list[c], "kind");
@@ -209,6 +211,9 @@ void readContributions(const Json &root, Domain<2> &domain) {
     if (!proper)
       refuse(ErrorCode::contributionInvalid,
              where + ".nodes must name one or two different nodes of its simplex.",
+             {{"contribution", static_cast<std::int64_t>(c)}});
+    if (!given.insert({contribution.simplex, std::move(nodes)}).second)
+      refuse(ErrorCode::contributionInvalid, where + " is in the list already: give each contribution once.",
              {{"contribution", static_cast<std::int64_t>(c)}});
     domain.contributions.push_back(std::move(contribution));
   }

@@ -178,11 +178,10 @@ template <int N> void explain(const Trial<N> &trial, PartChoice<N> &choice) {
   }
 }
 
-} // namespace
-
+/// The choice by trials on the mesh itself, and the policy that each component took.
 template <int N>
-PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
-                          const CoarseMesh<N> &coarse) {
+PartChoice<N> chooseOn(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
+                       const CoarseMesh<N> &coarse, std::vector<CutPolicy> &policyOf) {
   const std::size_t components = at(mesh.componentCount);
   Chooser<N> chooser(uncut, options, coarse, components);
   const std::vector<CutPolicy> policies = policiesFor(uncut);
@@ -220,18 +219,52 @@ PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const C
     for (std::size_t t = 1; t < trials.size(); ++t)
       if (isBetter(trials[t].best[c], trials[chosen[c]].best[c])) chosen[c] = t;
   for (const std::size_t t : chosen) ++choice.trials[t].components;
+  policyOf.clear();
+  for (const std::size_t t : chosen) policyOf.push_back(trials[t].policy);
   std::size_t taken = chosen[0];
   if (std::find_if(chosen.begin(), chosen.end(), [&](std::size_t t) { return t != taken; }) != chosen.end()) {
-    std::vector<CutPolicy> each;
-    for (const std::size_t t : chosen) each.push_back(trials[t].policy);
     taken = trials.size();
-    trials.push_back(chooser.run(original, std::move(each), 0));
+    trials.push_back(chooser.run(original, policyOf, 0));
   }
   explain(trials[taken], choice);
   mesh = std::move(trials[taken].mesh);
   choice.source = std::move(trials[taken].source);
   for (const Score &score : trials[taken].best) choice.score.add(score);
   choice.decomposition = std::move(trials[taken].decomposition);
+  return choice;
+}
+
+} // namespace
+
+template <int N>
+PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
+                          const CoarseMesh<N> &coarse, bool isCoarse) {
+  std::vector<CutPolicy> policyOf;
+  const bool isBent =
+      std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<N> &s) { return s.bent; });
+  const ReferenceMesh<N> *const judge = isCoarse || isBent ? nullptr : coarse();
+  if (!judge) return chooseOn(mesh, uncut, options, coarse, policyOf);
+  ReferenceMesh<N> judged = *judge;
+  const Parts<N> uncutJudged = buildParts(judged, PartOptions{});
+  PartChoice<N> choice = chooseOn(judged, uncutJudged, options, coarse, policyOf);
+  Chooser<N> chooser(uncut, options, coarse, policyOf.size());
+  Trial<N> trial = chooser.run(std::move(mesh), std::move(policyOf), 0);
+  bool isPossible = true;
+  for (std::size_t c = 0; c < trial.source.size(); ++c) {
+    const PartSource wanted = choice.source[c];
+    const bool isHere =
+        wanted == PartSource::simplices || trial.scores[static_cast<std::size_t>(wanted)][c].blocks < kNever;
+    if (isHere) trial.source[c] = wanted;
+    isPossible = isPossible && isHere;
+  }
+  if (!isPossible) {
+    choice.whySimplices.clear();
+    choice.alternatives = {-1, -1, -1};
+    explain(trial, choice);
+  }
+  mesh = std::move(trial.mesh);
+  choice.source = std::move(trial.source);
+  choice.decomposition = std::move(trial.decomposition);
   return choice;
 }
 
@@ -287,9 +320,9 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
 }
 
 template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
-                                   const CoarseMesh<2> &);
+                                   const CoarseMesh<2> &, bool);
 template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
-                                   const CoarseMesh<3> &);
+                                   const CoarseMesh<3> &, bool);
 template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
                                                    const CutOptions &, const CoarseMesh<2> &, const Score &,
                                                    Proposals);

@@ -45,10 +45,11 @@ template <int N> struct PartChoice {
 template <int N> using CoarseMesh = std::function<const ReferenceMesh<N> *()>;
 
 /// Cuts `mesh`, whose parts are `uncut`, by the policies that suit its components best. Where they are cheap
-/// to try, and could differ, all of them are tried.
+/// to try, and could differ, all of them are tried: on the coarsest mesh unless `isCoarse`, as the mesh is
+/// that one, or there are bent sides, which a finer mesh cuts better. So what is cheap is so for every mesh.
 template <int N>
 PartChoice<N> chooseParts(ReferenceMesh<N> &mesh, const Parts<N> &uncut, const CutOptions &options,
-                          const CoarseMesh<N> &coarse);
+                          const CoarseMesh<N> &coarse, bool isCoarse);
 
 enum class Proposals : std::uint8_t { all, last };
 
@@ -68,9 +69,9 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
                                           const Score &chosen, Proposals which);
 
 extern template PartChoice<2> chooseParts(ReferenceMesh<2> &, const Parts<2> &, const CutOptions &,
-                                          const CoarseMesh<2> &);
+                                          const CoarseMesh<2> &, bool);
 extern template PartChoice<3> chooseParts(ReferenceMesh<3> &, const Parts<3> &, const CutOptions &,
-                                          const CoarseMesh<3> &);
+                                          const CoarseMesh<3> &, bool);
 extern template std::vector<PartProposal<2>> proposeParts(const ReferenceMesh<2> &, const Parts<2> &,
                                                           const CutOptions &, const CoarseMesh<2> &,
                                                           const Score &, Proposals);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/sort.h"
+#include "parts/place.h"
 #include "parts/ridge.h"
 #include "reference/cut.h"
 
@@ -18,8 +19,9 @@ struct Spoke {
   Index end;  // the corner at the curve's other end
 };
 
-std::vector<Spoke> spokesOf(const Parts<3> &parts, const Corner &corner, Index curveBegin, Index curveEnd,
-                            const std::vector<Index> &partCornerNodes) {
+/// In the order of the places where they end.
+std::vector<Spoke> spokesOf(const ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner,
+                            Index curveBegin, Index curveEnd, const std::vector<Index> &partCornerNodes) {
   std::vector<Spoke> spokes;
   for (Index c = curveBegin; c < curveEnd; ++c) {
     const Curve<3> &curve = parts.curves[at(c)];
@@ -35,6 +37,8 @@ std::vector<Spoke> spokesOf(const Parts<3> &parts, const Corner &corner, Index c
           spoke.end = v;
     if (spoke.end != kNone) spokes.push_back(spoke);
   }
+  sortItems(spokes,
+            [&](const Spoke &a, const Spoke &b) { return placeOf(mesh, a.end) < placeOf(mesh, b.end); });
   return spokes;
 }
 
@@ -54,8 +58,8 @@ Index splitSurfacesAt(const ReferenceMesh<3> &mesh, Index node, Index facetSurfa
 
 /// Cuts a part through a corner where more than three sides meet, along two of its curves that share no
 /// side. Among the planes that offer themselves it takes the one that holds most corners of the part; then
-/// the one whose far ends lie on most split surfaces already (cuts then share corners, and the choice does
-/// not hang on the numbering); then the one that divides the corner's sides most evenly.
+/// the one whose far ends lie on most split surfaces already (cuts then share corners); then the one that
+/// divides the corner's sides most evenly; then the first by its places.
 bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corner,
                const std::vector<Spoke> &spokes, const std::vector<Index> &partCornerNodes,
                const CutOptions &options) {
@@ -109,35 +113,48 @@ bool cutCorner(ReferenceMesh<3> &mesh, const Parts<3> &parts, const Corner &corn
 Index cutCorners(ReferenceMesh<3> &mesh, const Parts<3> &parts, const CutOptions &options,
                  const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
-  Index cuts = 0;
   const Index oldSimplices = mesh.simplexCount();
-  std::vector<Index> cornerNodes;
+  struct Task {
+    Extent<3> place; // of the corner, and of the part's last one
+    const Corner *corner;
+    std::size_t curveBegin, curveEnd, cornerBegin, cornerEnd; // the part's
+  };
+  std::vector<Task> tasks;
   std::size_t curveBegin = 0;
   std::size_t cornerBegin = 0;
   for (Index part = 0; part < toIndex(parts.parts.size()); ++part) {
-    std::size_t curveEnd = curveBegin;
-    while (curveEnd < parts.curves.size() && parts.curves[curveEnd].part == part) ++curveEnd;
-    std::size_t cornerEnd = cornerBegin;
-    cornerNodes.clear();
-    const Corner *worst = nullptr;
-    for (; cornerEnd < parts.corners.size() && parts.corners[cornerEnd].part == part; ++cornerEnd) {
-      const Corner &corner = parts.corners[cornerEnd];
-      cornerNodes.push_back(corner.node);
-      if (corner.sides.size() > 3 && (!worst || corner.sides.size() > worst->sides.size())) worst = &corner;
+    Task task{{}, nullptr, curveBegin, curveBegin, cornerBegin, cornerBegin};
+    while (task.curveEnd < parts.curves.size() && parts.curves[task.curveEnd].part == part) ++task.curveEnd;
+    for (; task.cornerEnd < parts.corners.size() && parts.corners[task.cornerEnd].part == part;
+         ++task.cornerEnd) {
+      const Corner &corner = parts.corners[task.cornerEnd];
+      const Place<3> place = placeOf(mesh, corner.node);
+      task.place[1] = task.cornerEnd == cornerBegin ? place : std::max(task.place[1], place);
+      if (corner.sides.size() <= 3) continue;
+      if (task.corner && (corner.sides.size() < task.corner->sides.size() ||
+                          (corner.sides.size() == task.corner->sides.size() && !(place < task.place[0]))))
+        continue;
+      task.corner = &corner;
+      task.place[0] = place;
     }
+    curveBegin = task.curveEnd;
+    cornerBegin = task.cornerEnd;
+    if (task.corner && !gaveUp[at(component[at(part)])]) tasks.push_back(task);
+  }
+  sortItems(tasks, [](const Task &a, const Task &b) { return a.place < b.place; });
+  Index cuts = 0;
+  std::vector<Index> cornerNodes;
+  for (const Task &task : tasks) {
     // A cut of an earlier part of this round may have run through this one: leave it to the next round.
-    const bool untouched = worst && [&] {
-      std::vector<Index> star;
-      collectStar(mesh, worst->node, star);
-      return std::all_of(star.begin(), star.end(), [&](Index s) { return s < oldSimplices; });
-    }();
-    if (worst && untouched && !gaveUp[at(component[at(part)])]) {
-      const std::vector<Spoke> spokes =
-          spokesOf(parts, *worst, toIndex(curveBegin), toIndex(curveEnd), cornerNodes);
-      if (cutCorner(mesh, parts, *worst, spokes, cornerNodes, options)) ++cuts;
-    }
-    curveBegin = curveEnd;
-    cornerBegin = cornerEnd;
+    std::vector<Index> star;
+    collectStar(mesh, task.corner->node, star);
+    if (std::any_of(star.begin(), star.end(), [&](Index s) { return s >= oldSimplices; })) continue;
+    cornerNodes.clear();
+    for (std::size_t c = task.cornerBegin; c < task.cornerEnd; ++c)
+      cornerNodes.push_back(parts.corners[c].node);
+    const std::vector<Spoke> spokes =
+        spokesOf(mesh, parts, *task.corner, toIndex(task.curveBegin), toIndex(task.curveEnd), cornerNodes);
+    if (cutCorner(mesh, parts, *task.corner, spokes, cornerNodes, options)) ++cuts;
   }
   return cuts;
 }

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "parts/parts.h"
+#include "parts/features.h"
 
 namespace dualblock {
 
@@ -13,7 +13,8 @@ struct CutPolicy {
   double snap = 0;                  // radians: a plane may turn by as much to serve another curve, too
   bool isLast = false; // where no other serves: a round rim gets one sheet, in the place of its sectors' two,
                        // and hollow sides that turn are cut along
-  bool wantsCut(double angle) const { return angle > largestAngle; }
+
+  bool wantsCut(double angle) const { return angle > largestAngle + kAngleSlack; }
 };
 
 struct CutOptions {

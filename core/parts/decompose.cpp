@@ -5,6 +5,7 @@
 #include "base/sort.h"
 #include "parts/bent_cuts.h"
 #include "parts/corner_cuts.h"
+#include "parts/place.h"
 #include "parts/reflex_cuts.h"
 
 namespace dualblock {
@@ -120,18 +121,8 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
 /// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
 /// serve several curves, the first one decides.
 template <int N> void sortByPlace(const ReferenceMesh<N> &mesh, std::vector<const Curve<N> *> &curves) {
-  using Point = std::array<double, N>;
-  std::vector<std::pair<std::array<Point, 2>, const Curve<N> *>> order;
-  for (const Curve<N> *curve : curves) {
-    std::vector<Point> points;
-    for (const auto &ridge : curve->ridges)
-      for (const Index node : ridge) {
-        Point &x = points.emplace_back();
-        for (int k = 0; k < N; ++k) x[at(k)] = mesh.nodes[at(node)][k];
-      }
-    const auto [low, high] = std::minmax_element(points.begin(), points.end());
-    order.push_back({{*low, *high}, curve});
-  }
+  std::vector<std::pair<Extent<N>, const Curve<N> *>> order;
+  for (const Curve<N> *curve : curves) order.push_back({extentOf(mesh, curve->ridges), curve});
   sortItems(order, [](const auto &a, const auto &b) { return a.first < b.first; });
   for (std::size_t k = 0; k < order.size(); ++k) curves[k] = order[k].second;
 }
@@ -147,7 +138,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   std::vector<const Curve<N> *> wanting;
   for (const Curve<N> &curve : parts.curves)
     if (policyOf(curve).wantsCut(curve.angle)) wanting.push_back(&curve);
-  if (!options.policies.empty()) sortByPlace(mesh, wanting);
+  sortByPlace(mesh, wanting);
   Index lastCount = mesh.simplexCount();
   for (const Curve<N> *curve : wanting) {
     if (budget.gaveUp[at(component[at(curve->part)])]) continue;

@@ -1,5 +1,6 @@
 #include "parts/features.h"
 
+#include "base/disjoint_sets.h"
 #include "base/sort.h"
 #include <numbers>
 
@@ -7,9 +8,45 @@ namespace dualblock {
 
 CurveKind curveKind(double angle) {
   constexpr double kDegree = std::numbers::pi / 180;
-  if (angle <= 135 * kDegree) return CurveKind::end;
-  if (angle <= 225 * kDegree) return CurveKind::side;
-  return angle <= 315 * kDegree ? CurveKind::corner : CurveKind::reversal;
+  if (angle <= 135 * kDegree + kAngleSlack) return CurveKind::end;
+  if (angle <= 225 * kDegree + kAngleSlack) return CurveKind::side;
+  return angle <= 315 * kDegree + kAngleSlack ? CurveKind::corner : CurveKind::reversal;
+}
+
+template <int N> void keepVertices(const ReferenceMesh<N> &mesh, Parts<N> &uncut) {
+  if constexpr (N == 3) {
+    std::vector<Index> star;
+    const auto isVertex = [&](const Corner &corner) {
+      if (corner.sides.size() <= N) return true;
+      collectStar(mesh, corner.node, star);
+      sortItems(star);
+      DisjointSets wedges(star.size());
+      std::vector<std::pair<Index, Index>> sides; // by their place in the star, and then by wedge
+      for (std::size_t k = 0; k < star.size(); ++k)
+        for (int i = 0; i < N + 1; ++i) {
+          if (mesh.simplices[at(star[k])][i] == corner.node) continue;
+          const Index tag = mesh.tags[at(star[k])][i];
+          if (tag == kNone) {
+            const auto next = std::lower_bound(star.begin(), star.end(), mesh.neighbors[at(star[k])][i]);
+            wedges.unite(toIndex(k), toIndex(static_cast<std::size_t>(next - star.begin())));
+          } else if (uncut.partOfSimplex[at(star[k])] == corner.part) {
+            sides.emplace_back(toIndex(k), mesh.sideKey(tag));
+          }
+        }
+      for (auto &[place, side] : sides) place = wedges.find(place);
+      sortItems(sides);
+      sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+      std::size_t most = 0;
+      for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        while (end < sides.size() && sides[end].first == sides[begin].first) ++end;
+        most = std::max(most, end - begin);
+      }
+      return most >= N;
+    };
+    const auto last = std::remove_if(uncut.corners.begin(), uncut.corners.end(),
+                                     [&](const Corner &corner) { return !isVertex(corner); });
+    uncut.corners.erase(last, uncut.corners.end());
+  }
 }
 
 template <int N> Features classifyFeatures(const Parts<N> &uncut) {
@@ -39,6 +76,8 @@ template <int N> Features classifyFeatures(const Parts<N> &uncut) {
   return features;
 }
 
+template void keepVertices(const ReferenceMesh<2> &, Parts<2> &);
+template void keepVertices(const ReferenceMesh<3> &, Parts<3> &);
 template Features classifyFeatures(const Parts<2> &);
 template Features classifyFeatures(const Parts<3> &);
 

@@ -20,12 +20,22 @@ struct Features {
   std::vector<VertexKind> vertices; // per vertex node
 };
 
+/// Radians: angles that differ by less do so by rounding, which is not the same on every reference mesh. What
+/// compares them with round numbers allows for it.
+inline constexpr double kAngleSlack = 1e-7;
+
 /// angle: inside the domain, in radians.
 CurveKind curveKind(double angle);
+
+/// Drops what is no vertex of the domain from the corners of the uncut parts: nodes of a refined mesh on an
+/// edge along which a region of an assembly touches itself, with sides of its own in either wedge.
+template <int N> void keepVertices(const ReferenceMesh<N> &mesh, Parts<N> &uncut);
 
 /// uncut: the parts of a mesh without split surfaces.
 template <int N> Features classifyFeatures(const Parts<N> &uncut);
 
+extern template void keepVertices(const ReferenceMesh<2> &, Parts<2> &);
+extern template void keepVertices(const ReferenceMesh<3> &, Parts<3> &);
 extern template Features classifyFeatures(const Parts<2> &);
 extern template Features classifyFeatures(const Parts<3> &);
 

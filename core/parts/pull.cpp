@@ -5,6 +5,7 @@
 
 #include "base/sort.h"
 #include "geometry/linear_programme.h"
+#include "parts/place.h"
 
 namespace dualblock {
 namespace {
@@ -63,21 +64,25 @@ std::vector<bool> closureOf(const Parts<3> &parts, const std::vector<std::vector
 }
 
 /// The order in which corners are pulled: where most sides of the parts meet first, for a part becomes as
-/// many simplices as it has triangles that miss its apex.
+/// many simplices as it has triangles that miss its apex; then by place.
 class PullOrder {
 public:
-  PullOrder(const Parts<3> &parts, const std::vector<std::vector<Index>> &polygons,
-            const std::vector<bool> &simplify, std::size_t nodeCount)
-      : valence_(nodeCount, 0) {
+  PullOrder(const ReferenceMesh<3> &mesh, const Parts<3> &parts,
+            const std::vector<std::vector<Index>> &polygons, const std::vector<bool> &simplify)
+      : mesh_(mesh), valence_(mesh.nodes.size(), 0) {
     for (std::size_t side = 0; side < polygons.size(); ++side)
       if (simplify[at(parts.sides[side].part)])
         for (const Index node : polygons[side]) ++valence_[at(node)];
   }
   bool operator()(Index a, Index b) const {
-    return valence_[at(a)] != valence_[at(b)] ? valence_[at(a)] > valence_[at(b)] : a < b;
+    if (valence_[at(a)] != valence_[at(b)]) return valence_[at(a)] > valence_[at(b)];
+    const Place<3> placeA = placeOf(mesh_, a);
+    const Place<3> placeB = placeOf(mesh_, b);
+    return placeA != placeB ? placeA < placeB : a < b;
   }
 
 private:
+  const ReferenceMesh<3> &mesh_;
   std::vector<Index> valence_;
 };
 
@@ -131,7 +136,7 @@ bool seesAll(const std::vector<Vec<3>> &nodes, const std::vector<SideTriangle> &
 PulledMesh pullParts(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Apex wanted) {
   const std::vector<std::vector<Index>> polygons = sidePolygons(parts);
   const std::vector<bool> simplify = closureOf(parts, polygons);
-  const PullOrder isBefore(parts, polygons, simplify, mesh.nodes.size());
+  const PullOrder isBefore(mesh, parts, polygons, simplify);
   const std::vector<Index> component = componentOfParts(mesh, parts);
   PulledMesh result;
   result.blocks.assign(at(mesh.componentCount), 0);

@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "parts/place.h"
 #include "parts/ridge.h"
 #include "parts/sectors.h"
 #include "parts/sheets.h"
@@ -38,8 +39,8 @@ bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const Rid
   return false;
 }
 
-/// The ridges of a curve by smooth runs: a curve between two plane sides may turn sharply, and each run then
-/// has a cut of its own.
+/// The ridges of a curve by smooth runs, in the order of their places: a curve between two plane sides may
+/// turn sharply, and each run then has a cut of its own.
 template <int N>
 std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, const Curve<N> &curve) {
   if (curve.ridges.size() == 1) return {{0}};
@@ -65,7 +66,16 @@ std::vector<std::vector<std::size_t>> smoothRuns(const ReferenceMesh<N> &mesh, c
   const std::vector<Index> number = sets.numbering(count);
   std::vector<std::vector<std::size_t>> runs(at(count));
   for (std::size_t k = 0; k < number.size(); ++k) runs[at(number[k])].push_back(k);
-  return runs;
+  std::vector<std::pair<Extent<N>, std::size_t>> order;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    std::vector<std::array<Index, N - 1>> ridges;
+    for (const std::size_t k : runs[r]) ridges.push_back(curve.ridges[k]);
+    order.push_back({extentOf(mesh, ridges), r});
+  }
+  sortItems(order);
+  std::vector<std::vector<std::size_t>> sorted;
+  for (const auto &[extent, r] : order) sorted.push_back(std::move(runs[r]));
+  return sorted;
 }
 
 template <int N>
@@ -151,14 +161,14 @@ std::optional<Surface<3>> dishThrough(const ReferenceMesh<3> &mesh, const Curve<
 template <int N>
 std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge,
                                     const RidgeFrame<N> &frame, Index facetSurfaces) {
-  std::optional<Plane<N>> found;
+  Index found = kNone; // the lowest surface, whichever way round they are met
   const auto inspect = [&](Index s) {
     for (int i = 0; i < N + 1; ++i) {
       const Index tag = mesh.tags[at(s)][i];
-      if (tag == kNone || found) continue;
+      if (tag == kNone) continue;
       const Index surface = FaceTag::surface(tag);
-      if (surface >= facetSurfaces || surface == FaceTag::surface(frame.tags[0]) ||
-          surface == FaceTag::surface(frame.tags[1]))
+      if (surface >= facetSurfaces || (found != kNone && surface >= found) ||
+          surface == FaceTag::surface(frame.tags[0]) || surface == FaceTag::surface(frame.tags[1]))
         continue;
       bool holdsRidge = true;
       for (int v = 0; v < N + 1; ++v) {
@@ -171,13 +181,25 @@ std::optional<Plane<N>> facetBeyond(const ReferenceMesh<N> &mesh, const Ridge<N>
       double direction =
           std::atan2(glm::dot(plane.normal, frame.into), glm::dot(plane.normal, frame.outward));
       if (direction < 0) direction += pi;
-      if (direction >= pi / 4 && direction <= frame.angle - pi / 4) found = plane;
+      if (direction >= pi / 4 - kAngleSlack && direction <= frame.angle - pi / 4 + kAngleSlack)
+        found = surface;
     }
   };
   const FaceRef<N> stop = turnAroundRidge(mesh, ridge.simplex, ridge.from, ridge.to, kCrossAll, inspect);
   if (mesh.neighbors[at(stop.simplex)][stop.face] == kNone)
     turnAroundRidge(mesh, ridge.simplex, ridge.to, ridge.from, kCrossAll, inspect);
-  return found;
+  return found == kNone ? std::nullopt : std::optional(mesh.surfaces[at(found)].plane);
+}
+
+/// Whether a plane cut has made the curve, and not the domain. Where it meets a plane side at a small angle,
+/// or another cut, nothing is reflex, and relaxation makes the best of what is flat.
+template <int N> bool isBySplit(const ReferenceMesh<N> &mesh, const Curve<N> &curve, Index facetSurfaces) {
+  bool isSplit = false;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (surfaceOf(mesh, curve, 0, side).bent) return false;
+    isSplit = isSplit || FaceTag::surface(curve.frames[0].tags[side]) >= facetSurfaces;
+  }
+  return isSplit;
 }
 
 /// Cuts along one sector plane of one run, or the surface in the place of all of them. Returns whether there
@@ -233,6 +255,7 @@ bool cutRun(ReferenceMesh<N> &mesh, const Curve<N> &curve, const std::vector<std
 template <int N>
 Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<const Curve<N> *const> others,
                      std::span<const Curve<N>> curves, const CutPolicy &policy, const CutOptions &options) {
+  if (isBySplit(mesh, curve, options.facetSurfaces)) return 0;
   Index cuts = 0;
   const auto cut = [&](const auto &run, std::size_t sector, Surface<N> surface, double sagitta) {
     if (cutRun(mesh, curve, run, sector, others, policy.snap, std::move(surface), sagitta, options)) ++cuts;
@@ -244,9 +267,15 @@ Index cutReflexCurve(ReferenceMesh<N> &mesh, const Curve<N> &curve, std::span<co
           cut(run, 0, std::move(*dish), kDishSagitta);
           continue;
         }
-    const std::size_t sectors = sectorPlanes(curveKind(curve.angle), curve.angle).size();
-    for (std::size_t sector = 0; sector < sectors; ++sector)
+    const CurveKind kind = curveKind(curve.angle);
+    const std::size_t sectors = sectorPlanes(kind, curve.angle).size();
+    // Which side of a curve is the first depends on the reference mesh; the numbers of their surfaces do not.
+    const auto &[first, second] = curve.frames[run[0]].tags;
+    const bool isTurned = kind == CurveKind::corner && first > second;
+    for (std::size_t k = 0; k < sectors; ++k) {
+      const std::size_t sector = isTurned ? sectors - 1 - k : k;
       cut(run, sector, surfaceThrough(mesh, curve, run, sector, curves, options.tolerance), kSheetSagitta);
+    }
   }
   return cuts;
 }

@@ -72,7 +72,8 @@ std::optional<Plane<N>> sharedPlane(const ReferenceMesh<N> &mesh, const Curve<N>
     if (other == &curve || other->part != curve.part) continue;
     const double direction =
         directionOf<N>(curve.frames[k], mesh.nodes[at(other->ridges[0].front())] - point);
-    if (!range.has(direction) || std::abs(direction - middle) >= least) continue;
+    // Of two as near the first, for rounding is not the same on every reference mesh.
+    if (!range.has(direction) || std::abs(direction - middle) >= least - kAngleSlack) continue;
     const Plane<N> plane = planeAt(point, curve.frames[k], direction);
     bool holds = true;
     for (const auto &ridge : other->ridges)

@@ -18,7 +18,9 @@ std::vector<double> sectorPlanes(CurveKind kind, double angle);
 /// Directions from `low` to `high`; none where low > high.
 struct DirectionRange {
   double low, high;
-  bool has(double direction) const { return low <= direction && direction <= high; }
+  bool has(double direction) const {
+    return low - kAngleSlack <= direction && direction <= high + kAngleSlack;
+  }
 };
 
 /// How far plane `sector` may turn: by `snap` at most, and no sector beside it leaves 45 to 135 degrees.

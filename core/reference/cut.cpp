@@ -139,7 +139,8 @@ private:
   }
 
   /// Around a ridge in the plane: through the part, and through the part behind where the ridge lies inside a
-  /// split surface. Where two sides meet at the ridge, the cut ends.
+  /// split surface as seen from there, too. Where two sides meet at the ridge, from here or from behind, the
+  /// cut ends.
   void growAroundRidge(Index s, int from, int to) {
     const auto [first, second] = turn(s, from, to, kCrossNone);
     const Index tag = mesh_.tags[at(first.simplex)][first.face];
@@ -152,7 +153,11 @@ private:
       const Index node = mesh_.simplices[at(behind)][k];
       bool onRidge = false;
       for (int v = 0; v < N + 1; ++v) onRidge |= v != from && v != to && mesh_.simplices[at(s)][v] == node;
-      if (!onRidge) turn(behind, wall, k, kCrossNone);
+      if (onRidge) continue;
+      const FaceRef<N> end = turnAroundRidge(mesh_, behind, wall, k, kCrossNone, [](Index) {});
+      if (mesh_.neighbors[at(end.simplex)][end.face] == second.simplex &&
+          mesh_.mirrorFace(end.simplex, end.face) == second.face)
+        turn(behind, wall, k, kCrossNone);
     }
   }
 

@@ -1,6 +1,8 @@
 #include "reference/fill.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
@@ -176,20 +178,34 @@ void keepInside(RawFill<N> &fill, const std::vector<bool> &inside, const std::ve
     for (const Index v : mesh.simplices[at(s)]) mesh.nodeSimplex[at(v)] = s;
 }
 
-/// Numbers the connected pieces by their lowest facet, so that two meshes of one domain number them alike.
-template <int N> void findComponents(ReferenceMesh<N> &mesh) {
+/// Numbers the connected pieces by their lowest facet, and where they share it by their lowest vertices, so
+/// that two meshes of one domain number them alike.
+template <int N> void findComponents(ReferenceMesh<N> &mesh, Index vertexCount) {
   const std::vector<Index> raw = floodPieces(mesh, mesh.componentCount, [](Index, int) { return false; });
-  std::vector<std::pair<Index, Index>> lowestFacet; // (facet, raw component)
-  for (Index c = 0; c < mesh.componentCount; ++c) lowestFacet.emplace_back(toIndex(mesh.surfaces.size()), c);
-  for (Index s = 0; s < mesh.simplexCount(); ++s)
+  struct Key {
+    Index facet;
+    std::vector<Index> vertices;
+    Index raw;
+    bool operator<(const Key &o) const { return std::tie(facet, vertices) < std::tie(o.facet, o.vertices); }
+  };
+  std::vector<Key> keys;
+  for (Index c = 0; c < mesh.componentCount; ++c) keys.push_back({toIndex(mesh.surfaces.size()), {}, c});
+  for (Index s = 0; s < mesh.simplexCount(); ++s) {
+    Key &key = keys[at(raw[at(s)])];
     for (int i = 0; i < N + 1; ++i) {
-      if (mesh.tags[at(s)][i] == kNone) continue;
-      Index &lowest = lowestFacet[at(raw[at(s)])].first;
-      lowest = std::min(lowest, FaceTag::surface(mesh.tags[at(s)][i]));
+      if (mesh.tags[at(s)][i] != kNone)
+        key.facet = std::min(key.facet, FaceTag::surface(mesh.tags[at(s)][i]));
+      if (mesh.componentCount > 1 && mesh.simplices[at(s)][i] < vertexCount)
+        key.vertices.push_back(mesh.simplices[at(s)][i]);
     }
-  sortItems(lowestFacet);
-  std::vector<Index> number(lowestFacet.size());
-  for (std::size_t k = 0; k < lowestFacet.size(); ++k) number[at(lowestFacet[k].second)] = toIndex(k);
+  }
+  for (Key &key : keys) {
+    sortItems(key.vertices);
+    key.vertices.erase(std::unique(key.vertices.begin(), key.vertices.end()), key.vertices.end());
+  }
+  sortItems(keys);
+  std::vector<Index> number(keys.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) number[at(keys[k].raw)] = toIndex(k);
   mesh.component.resize(raw.size());
   for (std::size_t s = 0; s < raw.size(); ++s) mesh.component[s] = number[at(raw[s])];
 }
@@ -204,9 +220,10 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
     if (contacts[f].cell == kNone) continue;
     const auto isIn = [&](Index c) { return c != kNone && inside[at(c)]; };
     bool behind = contacts[f].intoFront;
-    // Outer facets: the one side that is in the domain must be behind. Interfaces: the lower-numbered cell.
+    // Outer facets: the one side that is in the domain must be behind. Interfaces stay as they are given, for
+    // another mesh numbers the cells otherwise.
     const bool outer = isIn(contacts[f].cell) != isIn(contacts[f].neighbor);
-    const bool wanted = outer ? isIn(contacts[f].cell) : contacts[f].cell < contacts[f].neighbor;
+    const bool wanted = outer ? isIn(contacts[f].cell) : behind;
     if (behind != wanted && contacts[f].cell != contacts[f].neighbor) {
       mesh.surfaces[f].plane = {-mesh.surfaces[f].plane.normal, -mesh.surfaces[f].plane.offset};
       behind = !behind;
@@ -219,7 +236,9 @@ void orientFacets(RawFill<N> &fill, const std::vector<Crossing<N>> &contacts,
     const auto [s, i] = fill.facetFaces[f];
     const std::size_t facet = at(fill.facetOfFace[f]);
     bool behind = (cell[at(s)] == contacts[facet].cell) == cellIsBehind[facet];
-    if (contacts[facet].cell == contacts[facet].neighbor) // a wall inside one cell: only the plane can tell
+    // A wall inside one cell, or another piece of the facet, between other cells: only the plane can tell.
+    const bool isKnown = cell[at(s)] == contacts[facet].cell || cell[at(s)] == contacts[facet].neighbor;
+    if (contacts[facet].cell == contacts[facet].neighbor || !isKnown)
       behind = mesh.surfaces[facet].plane.distance(mesh.nodes[at(mesh.simplices[at(s)][i])]) < 0;
     mesh.tags[at(s)][i] = behind ? FaceTag::back(toIndex(facet)) : FaceTag::front(toIndex(facet));
     const Index t = mesh.neighbors[at(s)][i];
@@ -324,7 +343,7 @@ template <int N> Result<Filled<N>> fillDomain(const Domain<N> &domain, const Fil
     return Error{ErrorCode::emptyDomain,
                  "Nothing is left of the domain: its holes take away all that it encloses.",
                  {}};
-  findComponents(mesh);
+  findComponents(mesh, toIndex(domain.vertices.size()));
   unpinch(mesh);
   if constexpr (N == 3) joinSmoothFacets(mesh, options.featureAngle);
   if (N == 2 && options.edgeLength > 0 && !domain.reference) splitLongEdges(mesh, options.edgeLength);

@@ -51,6 +51,33 @@ bool onFacet(const std::vector<Vec<3>> &vertices, const Facet &facet, const Plan
   return inside;
 }
 
+/// Moves TetGen's own nodes on facets into their planes: a remedy has altered the coordinates that it had,
+/// and what is cut off between such nodes would be as far off.
+void putOnFacets(Tetrahedra &mesh, const Domain<3> &domain) {
+  constexpr double kParallel = 1e-3;         // of what a normal adds to those before it
+  std::vector<std::pair<Index, Index>> uses; // node, facet
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const Index node : mesh.faces[f])
+      if (at(node) >= domain.vertices.size()) uses.emplace_back(node, mesh.faceFacet[f]);
+  sortItems(uses);
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  std::vector<Plane<3>> planes;
+  for (const Facet &facet : domain.facets) planes.push_back(facetPlane<3>(domain.vertices, facet));
+  std::vector<Vec<3>> held; // directions in which the node stays in the planes before
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    if (u == 0 || uses[u].first != uses[u - 1].first) held.clear();
+    const Plane<3> &plane = planes[at(uses[u].second)];
+    Vec<3> free = plane.normal;
+    for (const Vec<3> &h : held) free -= glm::dot(free, h) * h;
+    const double size = glm::length(free);
+    if (size < kParallel) continue;
+    free /= size;
+    Vec<3> &x = mesh.nodes[at(uses[u].first)];
+    x -= plane.distance(x) / size * free;
+    held.push_back(free);
+  }
+}
+
 } // namespace
 
 Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength) {
@@ -60,6 +87,7 @@ Result<RawFill<3>> fillByTetgen(const Domain<3> &domain, double edgeLength) {
   auto made = runTetgen(domain.vertices, domain.facets, options);
   if (!made.ok()) return made.error();
   Tetrahedra &tetrahedra = made.value();
+  if (!tetrahedra.remedy.empty()) putOnFacets(tetrahedra, domain);
   RawFill<3> fill;
   fill.remedy = tetrahedra.remedy;
   fill.tetgenMilliseconds = tetrahedra.milliseconds;

@@ -71,15 +71,20 @@ void fillInput(tetgenio &in, const std::vector<Vec<3>> &points, const std::vecto
       std::copy(loops[l].begin(), loops[l].end(), facet.polygonlist[l].vertexlist);
     }
     if (loops.size() < 2) continue;
-    // Loops that run against the facet are holes; others are pieces that touch the first at a vertex.
+    // Loops that run against the facet are holes; others are pieces beside or within them.
     const Plane<3> plane = facetPlane<3>(points, facets[f]);
     const PlaneBasis basis(plane.normal);
+    const std::vector<std::vector<Vec<2>>> polygons = projected(points, facets[f], basis);
+    const std::vector<std::vector<std::size_t>> around = nestingOf(polygons);
     std::vector<Vec<3>> holes;
     for (std::size_t l = 1; l < loops.size(); ++l) {
-      std::vector<Vec<2>> polygon;
-      for (const Index v : loops[l]) polygon.push_back(basis.project(points[at(v)]));
-      if (polygonArea2(polygon) > 0) continue;
-      const Vec<2> inside = pointInside(polygon);
+      if (polygonArea2(polygons[l]) > 0) continue;
+      std::vector<std::vector<Vec<2>>> gap{polygons[l]}; // and the pieces right within
+      for (std::size_t m = 1; m < loops.size(); ++m)
+        if (around[m].size() == around[l].size() + 1 &&
+            std::find(around[m].begin(), around[m].end(), l) != around[m].end())
+          gap.push_back(polygons[m]);
+      const Vec<2> inside = pointInside(gap);
       holes.push_back(inside.x * basis.u + inside.y * basis.v + plane.offset * plane.normal);
     }
     facet.holelist = new REAL[3 * holes.size()];

@@ -1,11 +1,13 @@
 // The preparation of domains: what is refused, what is repaired, what is merged.
 #include "domain/prepare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "domain/polygon.h"
 #include "support/examples.h"
 #include "support/voxels.h"
 
@@ -165,6 +167,66 @@ TEST(Prepare3d, RefusesWhatIsNoSolid) {
   Domain<3> poor = cube();
   poor.facets.resize(3);
   EXPECT_EQ(refusal(poor), ErrorCode::tooFewFacets);
+}
+
+// Rings within rings: base and roof have islands in their holes, all loops given as the outermost runs.
+TEST(Prepare3d, IslandsInHolesArePiecesOfTheFacet) {
+  Domain<3> domain;
+  std::vector<std::vector<Index>> base;
+  std::vector<std::vector<Index>> roof;
+  for (const double r : {5.0, 4.0, 3.0, 2.0, 1.0}) {
+    const Index first = toIndex(domain.vertices.size());
+    for (const double z : {0.0, 1.0})
+      for (const auto &[x, y] : {std::pair(-r, -r), std::pair(r, -r), std::pair(r, r), std::pair(-r, r)})
+        domain.vertices.emplace_back(x, y, z);
+    base.push_back({first + 3, first + 2, first + 1, first});
+    roof.push_back({first + 4, first + 5, first + 6, first + 7});
+    for (Index k = 0; k < 4; ++k) {
+      const Index next = first + (k + 1) % 4;
+      domain.facets.push_back({{{first + k, next, next + 4, first + k + 4}}});
+    }
+  }
+  domain.facets.push_back({base});
+  domain.facets.push_back({roof});
+  const auto prepared = prepareDomain(domain, 1e-6);
+  ASSERT_TRUE(prepared.ok());
+  const Facet &facet = prepared.value().domain.facets.back();
+  ASSERT_EQ(facet.loops.size(), 5U);
+  const double inside = 4 * (25 - 16 + 9 - 4 + 1);
+  EXPECT_NEAR(glm::length(areaVector(prepared.value().domain.vertices, facet)) / 2, inside, 1e-12);
+  for (const std::uint32_t seed : {0U, 1U, 2U}) {
+    PipelineOptions options;
+    options.seed = seed;
+    const auto result = test::run(domain, options);
+    EXPECT_TRUE(result.certificate.valid) << test::failuresOf(result.certificate);
+    EXPECT_EQ(result.mesh.componentCount, 3);
+    EXPECT_EQ(result.fallbackComponents, 0);
+    EXPECT_EQ(result.primal.blocks.size(), 136U); // two rings of eight parts and a box, eight blocks each
+  }
+}
+
+// The tip of a cavity touches the roof in its middle, where four triangles of it meet: they become one facet
+// without a vertex there.
+TEST(Prepare3d, NamesAVertexThatTouchesAFacet) {
+  Domain<3> domain = cube();
+  const auto roof = std::find_if(domain.facets.begin(), domain.facets.end(), [&](const Facet &facet) {
+    return std::all_of(facet.loops[0].begin(), facet.loops[0].end(),
+                       [&](Index v) { return domain.vertices[at(v)].z == 1; });
+  });
+  const std::vector<Index> corners = roof->loops[0];
+  domain.facets.erase(roof);
+  const Index tip = toIndex(domain.vertices.size());
+  for (const Vec<3> &v :
+       {Vec<3>{0.5, 0.5, 1}, Vec<3>{0.75, 0.25, 0.3}, Vec<3>{0.25, 0.25, 0.25}, Vec<3>{0.5, 0.75, 0.28}})
+    domain.vertices.push_back(v);
+  for (std::size_t k = 0; k < 4; ++k) domain.facets.push_back({{{corners[k], corners[(k + 1) % 4], tip}}});
+  for (Index k = 0; k < 3; ++k) domain.facets.push_back({{{tip + 1 + (k + 1) % 3, tip + 1 + k, tip}}});
+  domain.facets.push_back({{{tip + 1, tip + 2, tip + 3}}});
+  const auto result = runPipeline<3>(domain, {});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::selfIntersection);
+  EXPECT_NE(result.error().message.find("meet at (0.5, 0.5, 1)"), std::string::npos)
+      << result.error().message;
 }
 
 } // namespace

@@ -54,6 +54,46 @@ inline std::vector<Vec<2>> randomStar(RandomSource &random, int corners, double 
   return polygon;
 }
 
+/// A star with equal points, full of places that only rounding tells apart.
+inline std::vector<Vec<2>> regularStar(int points, double inner) {
+  std::vector<Vec<2>> polygon;
+  for (int k = 0; k < 2 * points; ++k) {
+    const double angle = std::numbers::pi * k / points;
+    polygon.push_back((k % 2 == 0 ? 2 : 2 * inner) * Vec<2>(std::cos(angle), std::sin(angle)));
+  }
+  return polygon;
+}
+
+/// A plane domain with reflex corners, every other one regular.
+inline Domain<2> randomPolygon(std::uint32_t seed) {
+  RandomSource random(seed);
+  const std::vector<Vec<2>> polygon = seed % 2 == 0 ? randomStar(random, random.whole(4, 14), 0.4, 2, {0, 0})
+                                                    : regularStar(random.whole(3, 8), random.real(0.3, 0.9));
+  Domain<2> domain;
+  domain.name = "polygon";
+  domain.vertices = polygon;
+  const Index n = toIndex(polygon.size());
+  for (Index k = 0; k < n; ++k) domain.facets.push_back({{{k, (k + 1) % n}}});
+  return domain;
+}
+
+/// A prism over such a polygon that narrows or widens, and leans, so that its reflex curves have no direction
+/// in common; every other one regular, and some of these upright.
+inline Domain<3> randomFrustum(std::uint32_t seed) {
+  RandomSource random(seed);
+  const bool isRegular = seed % 2 == 1;
+  Domain<3> domain = prism(isRegular ? regularStar(random.whole(3, 6), random.real(0.35, 0.8))
+                                     : randomStar(random, random.whole(4, 10), 0.5, 2, {0, 0}),
+                           0, random.real(0.4, 2));
+  const double scale = isRegular && random.chance(0.5) ? 1 : random.real(0.5, 1.3);
+  const double reach = isRegular ? 0 : 0.4;
+  const Vec<2> shift(random.real(-reach, reach), random.real(-reach, reach));
+  for (Vec<3> &v : domain.vertices)
+    if (v.z > 0) v = {scale * v.x + shift.x, scale * v.y + shift.y, v.z};
+  domain.name = "frustum";
+  return domain;
+}
+
 /// Adds the walls of a hole, given counter-clockwise, to a prism, and its loops to the prism's base and roof.
 inline void addHole(Domain<3> &prism, const std::vector<Vec<2>> &polygon, double bottom, double top) {
   const Index first = toIndex(prism.vertices.size());

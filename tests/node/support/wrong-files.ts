@@ -216,4 +216,24 @@ export const wrongFiles: readonly Case[] = [
     'contribution 0',
     /one or two/,
   ],
+  [
+    'a contribution twice',
+    'a.json',
+    planeJson([square], {
+      reference: {
+        nodes: square,
+        simplices: [
+          [0, 1, 2],
+          [0, 2, 3],
+        ],
+      },
+      contributions: [
+        { simplex: 0, nodes: [0, 1], kind: 'hard' },
+        { simplex: 0, nodes: [1, 0], kind: 'soft' },
+      ],
+    }),
+    'contributionInvalid',
+    'contribution 1',
+    /once/,
+  ],
 ];

@@ -189,7 +189,7 @@ it.each(meshed.filter((e) => e.dimension === 3 && !curved.includes(e.name)).map(
 describe('a domain with contributions of its own', () => {
   it.each(['figure_12a', 'figure_12b', 'figure_12c', 'figure_12d'])('%s is shown with them', (name) => {
     const { result, display } = get(name);
-    const given = { figure_12a: [3, 0], figure_12b: [3, 2], figure_12c: [2, 0], figure_12d: [4, 2] }[name]!;
+    const given = { figure_12a: [3, 0], figure_12b: [3, 2], figure_12c: [4, 0], figure_12d: [4, 2] }[name]!;
     expect([result.contributions.hardCount, result.contributions.softCount]).toEqual(given);
     expect(display.contributions.count).toBe(given[0]! + given[1]!);
     expect(display.dual.cells.count).toBe(0);

@@ -149,8 +149,8 @@ export const figures: Figure[] = [
   },
   {
     figure: '12(c)',
-    title: 'Valid: an edge contribution goes on',
-    caption: 'One hard contribution from the left, one from the right: a piece of a D̄-curve.',
+    title: 'Valid: as many from both sides',
+    caption: 'Two hard contributions from the left, two from the right: two D̄-curves that cross.',
     example: 'figure_12c',
     view: contributions2d,
   },
