@@ -98,7 +98,11 @@ export function makeReport(
     },
     ...(refined ? { refined: describeRefined(refined, result.dimension) } : {}),
     certificate,
-    features: { curves: tallyFeatures(result), vertices: tallyVertices(result) },
+    features: {
+      curves: tallyFeatures(result),
+      vertices: tallyVertices(result),
+      notIdeal: curvesNotIdeal(result),
+    },
     quality: { scaledJacobian: summarize((mesh ?? primal).quality) },
     timings: result.timings,
     peakMemory: memory,
@@ -148,6 +152,46 @@ export function tallyFeatures({ features }: RunResult): FeatureTally[] {
     tally.set(`${ideal} ${actual}`, row);
   });
   return [...tally.values()].sort((a, b) => a.ideal - b.ideal || a.actual - b.actual);
+}
+
+/** Where another number of blocks meets around a curve (2D: vertex) than is ideal (paper 2.4), and where that is. */
+export interface CurveNotIdeal {
+  kind: (typeof featureKinds)[number];
+  ideal: number;
+  /** Fewest blocks at any place of the curve. */
+  actual: number;
+  /** The two facets (2D: segments) that meet there, as the input numbers them, from 0. */
+  facets: number[];
+  /** A point of the curve, in the units of the input. */
+  place: number[];
+}
+
+/** Those curves, in the order of the domain's curves. */
+export function curvesNotIdeal({ dimension, features, domain }: RunResult): CurveNotIdeal[] {
+  const given = new Map<number, number>(); // the first facet of the input that each facet was
+  domain.facetOfGiven.forEach((facet, k) => {
+    if (!given.has(facet)) given.set(facet, k);
+  });
+  const size = dimension - 1; // nodes of a ridge
+  const list: CurveNotIdeal[] = [];
+  features.ideal.forEach((ideal, k) => {
+    const actual = features.actual[k] ?? 0;
+    if (ideal === actual) return;
+    const [first = 0, last = 0] = [features.ridgeOffsets[k], features.ridgeOffsets[k + 1]];
+    const middle = first + size * Math.floor((last - first) / size / 2);
+    const nodes = Array.from(features.ridgeNodes.subarray(middle, middle + size));
+    list.push({
+      kind: featureKinds[ideal - 1] ?? 'end',
+      ideal,
+      actual,
+      facets: [0, 1].map((side) => given.get(features.facets[2 * k + side] ?? -1) ?? -1),
+      place: Array.from(
+        { length: dimension },
+        (_, axis) => nodes.reduce((sum, n) => sum + (features.nodes[dimension * n + axis] ?? 0), 0) / size,
+      ),
+    });
+  });
+  return list;
 }
 
 /** Vertices of a solid by kind; none in 2D, where the vertices are tallied as curves. */
@@ -207,7 +251,7 @@ export function describe(report: Report): string {
       ? `  ${straightenedText(report.refined.straightenedBlocks)}`
       : '',
     describeFidelity(reference.bentSides, handedOut, report.refined ? 'elements' : 'blocks'),
-    describeFeatures(report.features.curves),
+    describeFeatures(report.features, input.dimension),
     handedOut.valid && certificate.valid
       ? `  certified${report.refined ? ', its elements' : ''}: matching, cells, topology, geometry, features`
       : '  NOT VALID:',
@@ -226,11 +270,15 @@ function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate,
   return `  ${bentSides} bent side(s): straight ${what} hold ${than}, stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
 }
 
-/** Curves (2D: vertices) around which another number of blocks meets than is ideal (paper 2.4). */
-function describeFeatures(tally: FeatureTally[]): string {
-  const all = tally.reduce((sum, { curves }) => sum + curves, 0);
-  const other = tally.reduce((sum, { ideal, actual, curves }) => sum + (ideal === actual ? 0 : curves), 0);
-  return other === 0 ? '' : `  ${other} of ${all} curves have not their ideal number of blocks around them`;
+/** How many curves (2D: vertices) have another number of blocks around them than is ideal, and the first place. */
+function describeFeatures(
+  { curves, notIdeal: [first, ...more] }: Report['features'],
+  dimension: 2 | 3,
+): string {
+  if (!first) return '';
+  const all = curves.reduce((sum, row) => sum + row.curves, 0);
+  const place = first.place.map((x) => Number(x.toPrecision(4))).join(', ');
+  return `  ${more.length + 1} of ${all} ${dimension === 2 ? 'vertices' : 'curves'} have not their ideal number of blocks: at (${place}) ${first.actual} for ${first.ideal}${more.length > 0 ? ', … (all are in the report)' : ''}`;
 }
 
 /** Of blocks whose elements do not follow the bent sides beside them. */
