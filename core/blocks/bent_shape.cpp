@@ -23,7 +23,8 @@ BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &feature
         if (surface.kind != SurfaceKind::facet || !surface.bent) continue;
         auto &face = result.faces.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) face[k] = mesh.nodes[at(mesh.sortedFace(s, i)[k])];
-        if (glm::dot(glm::cross(face[1] - face[0], face[2] - face[0]), mesh.faceNormal(s, i)) < 0)
+        const Vec<3> normal = glm::cross(face[1] - face[0], face[2] - face[0]);
+        if ((glm::dot(normal, mesh.faceNormal(s, i)) < 0) != FaceTag::isFront(tag))
           std::swap(face[1], face[2]);
         result.patchOfFace.push_back(mesh.sideKey(tag) / 2);
         isBent[at(result.patchOfFace.back())] = true;

@@ -142,8 +142,8 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
       SideTriangle &triangle = triangles.emplace_back(SideTriangle{{}, patchOf(tag)});
       for (std::size_t k = 0; k < 3; ++k)
         triangle.corners[k] = in.mesh.nodes[at(in.mesh.sortedFace(s, i)[k])];
-      const auto &[a, b, c] = triangle.corners; // counter-clockwise from outside, as normals are compared
-      if (glm::dot(glm::cross(b - a, c - a), in.mesh.faceNormal(s, i)) < 0)
+      const auto &[a, b, c] = triangle.corners; // seen from the same side all over, as normals are compared
+      if ((glm::dot(glm::cross(b - a, c - a), in.mesh.faceNormal(s, i)) < 0) != FaceTag::isFront(tag))
         std::swap(triangle.corners[1], triangle.corners[2]);
     }
   SideMeasures measures = measureSides(in.blocks.positions, faces, triangles, kSamples);

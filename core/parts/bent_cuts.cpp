@@ -12,6 +12,7 @@ namespace dualblock {
 namespace {
 
 constexpr double kAlike = 1e-6; // of the domain's size: mirror images
+constexpr int kTriedAlone = 40; // cuts of single parts in a round of halving, as each is judged by all parts anew
 
 /// No curve at all: through the middle, across the direction in which the part extends least; of directions
 /// that are as good the coordinate axes, z first, go before.
@@ -327,21 +328,41 @@ Index notSimple(const Parts<3> &parts) {
 Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
                  const BentCutOptions &options) {
   parts = buildParts(mesh, PartOptions{}); // as they are judged again below
-  // A simplex of each part leads back to what is left of it after other cuts.
-  std::vector<Index> simplexOf(parts.parts.size(), kNone);
-  for (Index s = 0; s < toIndex(parts.partOfSimplex.size()); ++s)
-    if (simplexOf[at(parts.partOfSimplex[at(s)])] == kNone) simplexOf[at(parts.partOfSimplex[at(s)])] = s;
-  std::vector<Index> seeds;
-  for (const Index part : which) seeds.push_back(simplexOf[at(part)]);
+  const Index before = notSimple(parts);
+  // All at once where that serves: mostly it does. The parts are those of before; what has been split off their
+  // simplices since is found from them.
+  ReferenceMesh<3> original = mesh;
   Index cuts = 0;
+  for (const Index part : which) {
+    const PartView v = viewOf(mesh, parts, part, options);
+    for (const Proposal &proposal : halving(v))
+      if (carryOut(mesh, v, proposal, options)) {
+        ++cuts;
+        break;
+      }
+  }
+  Parts<3> halved = buildParts(mesh, PartOptions{});
+  if (notSimple(halved) <= before) {
+    parts = std::move(halved);
+    return cuts;
+  }
+  // Else one by one: a simplex of each part leads back to what is left of it after the other cuts.
+  mesh = std::move(original);
+  std::vector<Index> seeds;
+  for (const Index part : which)
+    seeds.push_back(toIndex(static_cast<std::size_t>(
+        std::find(parts.partOfSimplex.begin(), parts.partOfSimplex.end(), part) - parts.partOfSimplex.begin())));
+  cuts = 0;
+  int tried = 0;
   for (const Index seed : seeds) {
     const PartView v = viewOf(mesh, parts, parts.partOfSimplex[at(seed)], options);
     for (const Proposal &proposal : halving(v)) {
-      ReferenceMesh<3> before = mesh;
+      if (++tried > kTriedAlone) return cuts;
+      ReferenceMesh<3> uncut = mesh;
       if (!carryOut(mesh, v, proposal, options)) continue;
       Parts<3> now = buildParts(mesh, PartOptions{});
-      if (notSimple(now) > notSimple(parts)) {
-        mesh = std::move(before);
+      if (notSimple(now) > before) {
+        mesh = std::move(uncut);
         continue;
       }
       parts = std::move(now);
