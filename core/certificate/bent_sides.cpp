@@ -139,7 +139,7 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
     for (int i = 0; i < 4; ++i) {
       const Index tag = in.mesh.tags[at(s)][i];
       if (!isBentTag(tag) || in.mesh.neighbors[at(s)][i] > s) continue;
-      SideTriangle &triangle = triangles.emplace_back(SideTriangle{{}, patchOf(tag)});
+      SideTriangle &triangle = triangles.emplace_back(SideTriangle{{}, patchOf(tag), FaceTag::surface(tag)});
       for (std::size_t k = 0; k < 3; ++k)
         triangle.corners[k] = in.mesh.nodes[at(in.mesh.sortedFace(s, i)[k])];
       const auto &[a, b, c] = triangle.corners; // seen from the same side all over, as normals are compared

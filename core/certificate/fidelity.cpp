@@ -1,6 +1,7 @@
 #include "certificate/fidelity.h"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "base/box_tree.h"
@@ -48,28 +49,29 @@ Vec<3> pointOf(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q, doub
          (1 - u) * v * x[at(q[3])];
 }
 
-/// The largest angle between directions of some area: by the extreme ones in all octants' directions.
+/// The largest angle between directions of some area: between the extreme ones along 26 directions, slivers
+/// left out.
 double spreadOf(const std::vector<std::pair<Vec<3>, double>> &normals) {
   double area = 0;
   for (const auto &n : normals) area += n.second;
   std::vector<Vec<3>> extreme;
-  for (int i = -1; i <= 1; ++i)
-    for (int j = -1; j <= 1; ++j)
-      for (int k = -1; k <= 1; ++k) {
-        if (i == 0 && j == 0 && k == 0) continue;
-        // The direction beyond which there is no more than a sliver.
-        std::vector<std::pair<double, std::size_t>> order;
-        for (std::size_t n = 0; n < normals.size(); ++n)
-          order.emplace_back(-glm::dot(normals[n].first, Vec<3>(i, j, k)), n);
-        sortItems(order);
-        double beyond = 0;
-        for (const auto &[height, n] : order) {
-          beyond += normals[n].second;
-          if (beyond <= kSliver * area) continue;
-          extreme.push_back(normals[n].first);
-          break;
-        }
-      }
+  std::vector<std::pair<double, std::size_t>> order;
+  for (int direction = 0; direction < 27; ++direction) {
+    const Vec<3> along(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+    if (along == Vec<3>(0.0)) continue;
+    order.clear();
+    for (std::size_t n = 0; n < normals.size(); ++n)
+      order.emplace_back(-glm::dot(normals[n].first, along), n);
+    std::make_heap(order.begin(), order.end(), std::greater<>());
+    // The first one beyond which there is more than a sliver.
+    for (double beyond = 0;; order.pop_back()) {
+      std::pop_heap(order.begin(), order.end(), std::greater<>());
+      beyond += normals[order.back().second].second;
+      if (beyond <= kSliver * area && order.size() > 1) continue;
+      extreme.push_back(normals[order.back().second].first);
+      break;
+    }
+  }
   double least = 1;
   for (const Vec<3> &a : extreme)
     for (const Vec<3> &b : extreme) least = std::min(least, glm::dot(a, b));
@@ -144,9 +146,12 @@ private:
       distance = std::sqrt(least);
       return nearest;
     };
+    std::vector<std::array<double, 3>> samples; // triangles share most of them
+    double gap = 0;
     for (const SideTriangle &t : triangles_) {
       const Vec<3> across = glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
       if (!(glm::length(across) > 0)) continue;
+      const Vec<3> unit = glm::normalize(across);
       double longest = 0;
       for (std::size_t k = 0; k < 3; ++k)
         longest = std::max(longest, glm::length(t.corners[(k + 1) % 3] - t.corners[k]));
@@ -154,17 +159,23 @@ private:
       const auto x = [&](double a, double b) {
         return t.corners[0] + a / n * (t.corners[1] - t.corners[0]) + b / n * (t.corners[2] - t.corners[0]);
       };
-      double gap = 0;
       for (int a = 0; a <= n; ++a)
         for (int b = 0; a + b <= n; ++b) {
-          const std::size_t f = nearestFace(x(a, b), gap);
-          distance_[f] = std::max(distance_[f], gap / faces_[f].size);
+          const Vec<3> p = x(a, b);
+          samples.push_back({p.x, p.y, p.z});
         }
-      const Vec<3> unit = glm::normalize(across);
       for (int a = 0; a < n; ++a)
-        for (int b = 0; a + b < n; ++b)
-          normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)].emplace_back(
-              unit, glm::length(across) / (n * n));
+        for (int b = 0; a + b < n; ++b) {
+          auto &known = normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)];
+          if (known.empty() || glm::dot(known.back().first, unit) < 1 - 1e-9) known.emplace_back(unit, 0);
+          known.back().second += glm::length(across) / (n * n);
+        }
+    }
+    sortItems(samples);
+    samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+    for (const auto &[a, b, c] : samples) {
+      const std::size_t f = nearestFace({a, b, c}, gap);
+      distance_[f] = std::max(distance_[f], gap / faces_[f].size);
     }
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (normals[f].size() > 1) turning_[f] = spreadOf(normals[f]);
@@ -195,7 +206,9 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
   for (std::size_t f = 0; f < order.size(); ++f) facesByPatch[f] = faces[at(order[f])];
   std::vector<SideTriangle> trianglesByPatch = triangles;
   sortItems(trianglesByPatch,
-            [](const SideTriangle &a, const SideTriangle &b) { return a.patch < b.patch; });
+            [](const SideTriangle &a, const SideTriangle &b) {
+              return a.patch != b.patch ? a.patch < b.patch : a.facet < b.facet;
+            });
   std::size_t firstTriangle = 0;
   for (std::size_t begin = 0, end = 0; begin < facesByPatch.size(); begin = end) {
     SideFidelity side{facesByPatch[begin].patch};

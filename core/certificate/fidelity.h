@@ -31,6 +31,7 @@ struct SideFace {
 struct SideTriangle {
   std::array<Vec<3>, 3> corners;
   Index patch;
+  Index facet = 0; // triangles in one plane may have one number: they are then looked at together
 };
 
 struct FaceFault {

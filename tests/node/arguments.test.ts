@@ -6,7 +6,7 @@ import { UsageError } from '../../wasm/cli/usage.ts';
 
 const parse = (line: string): unknown => parseArguments(line.split(' ').filter((word) => word !== ''));
 const plain = { kind: 'run', outputs: [], report: null, quiet: false, settings: {}, refinement: null };
-const even = { intervals: 1, size: 0, ofSurface: [], gradings: [] };
+const even = { intervals: 1, size: 0, ofSurface: [], gradings: [], straight: false };
 const file = { kind: 'file', path: 'a.json' };
 const check = { kind: 'check', mesh: 'a.vtk', domain: null, report: null, settings: {} };
 
@@ -39,6 +39,10 @@ describe('parseArguments', () => {
     ],
     ['a.json --objective shape', { ...plain, source: file, settings: { objective: 'shape' } }],
     ['a.json --objective=blocks', { ...plain, source: file, settings: { objective: 'blocks' } }],
+    [
+      'a.json --refine 4 --straight',
+      { ...plain, source: file, refinement: { ...even, intervals: 4, straight: true } },
+    ],
     ['a.json --refine 4', { ...plain, source: file, refinement: { ...even, intervals: 4 } }],
     [
       'a.json --refine 2 --refine 7=5 --refine 0=1',
@@ -124,6 +128,7 @@ describe('parseArguments', () => {
     ['a.json --refine 2 --grade inlet', /--grade cannot be "inlet"/, /FACET=1.2/],
     ['a.json --refine 2 --grade 3=1', /--grade cannot be "3=1"/, /over 1/],
     ['a.json --refine 2 --grade 3=1001', /--grade cannot be "1001"/, /up to 1000/],
+    ['a.json --straight', /is about elements/, /--refine N or --size H/],
     ['a.json --grade 3=1.2', /grades no element/, /--refine N, with N over 1, or --size H/],
     ['a.json --insert 3', /--insert cannot be "3"/, /FACET=0.25/],
     ['a.json --insert 3=1', /--insert cannot be "1"/, /0.000001 to 0.999999/],

@@ -51,9 +51,7 @@ export const options = {
     repeatable: true,
     help: 'elements grow by the factor G away from a facet; may be repeated',
   },
-  straight: {
-    help: 'with --refine or --size: elements may stay straight, off a bent side, where bent ones fail',
-  },
+  straight: { help: 'elements may stay straight, off a bent side, where bent ones fail' },
   'time-limit': { value: 'S', help: 'give up after S seconds; without it a run takes as long as it needs' },
   help: { help: 'print this text' },
   version: { help: 'print the version' },
