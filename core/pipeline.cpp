@@ -23,6 +23,7 @@ constexpr int kRepairRounds = 12;
 constexpr int kBlameRounds = 4;    // then all components fall back
 constexpr Index kCheapToHalve = 60000; // simplices, up to which parts that do not serve are halved
 constexpr int kHalvings = 8;           // rounds of that
+constexpr int kHalvedAlone = 100;      // cuts of single parts that are tried in all of them
 constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
@@ -179,13 +180,14 @@ std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<Pa
 /// Halves the parts whose blocks strayed from their bent sides, or cross others, or are inverted. Returns
 /// whether that was possible, and is still cheap.
 template <int N>
-[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, double tolerance) {
+[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, double tolerance,
+                                int &triesLeft) {
   if constexpr (N == 3) {
     if (r.bentSides == 0 || r.mesh.simplexCount() > kCheapToHalve) return false;
     const std::vector<Index> which = partsAtFault(r, source);
     const BentCutOptions options{{tolerance, toIndex(r.domain.domain.facets.size())},
                                  axesOf(r.features, r.featureNodes), {}, {}};
-    const Index cuts = halveParts(r.mesh, r.parts, which, options);
+    const Index cuts = halveParts(r.mesh, r.parts, which, options, triesLeft);
     r.bentCuts += cuts;
     r.cuts += cuts;
     return cuts > 0;
@@ -217,6 +219,7 @@ template <int N>
   PartOptions partOptions;
   std::vector<bool> everyFace;
   int halvings = 0;
+  int triesLeft = kHalvedAlone;
   for (int attempt = 0;; ++attempt) {
     r.fallbackComponents = count(PartSource::simplices);
     r.pulledComponents = count(PartSource::pulled);
@@ -247,7 +250,7 @@ template <int N>
     if (built) buildResult(r, options, clock);
     if (built && r.certificate.valid) break;
     if (built && halvings < kHalvings &&
-        cutFiner(r, source, options.tolerance * r.mesh.size + 2 * r.domain.deviation)) {
+        cutFiner(r, source, options.tolerance * r.mesh.size + 2 * r.domain.deviation, triesLeft)) {
       ++halvings;
       everyFace.resize(r.mesh.simplices.size(), false);
       r.certificate = {};

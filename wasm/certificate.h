@@ -13,6 +13,7 @@ inline val fidelityToJs(const Fidelity &fidelity) {
   f.set("largestDistance", fidelity.largestDistance);
   f.set("largestTurning", fidelity.largestTurning);
   f.set("volumeDifference", fidelity.volumeDifference);
+  f.set("strayedVolume", fidelity.strayed);
   val sides = val::array();
   for (const SideFidelity &side : fidelity.sides) {
     val s = val::object();

@@ -43,6 +43,8 @@ export interface Fidelity {
   largestTurning: number;
   /** Of the mesh's volume from the domain's, as a share of that. */
   volumeDifference: number;
+  /** Between bent sides and faces, lost and gained alike, as a share of the same. */
+  strayedVolume: number;
   /** The bent sides, each by one of its facets. */
   sides: { facet: number; distance: number; turning: number }[];
 }

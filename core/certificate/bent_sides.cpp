@@ -156,6 +156,9 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
                                           : " by " + scientific(fault.value) + " of its size"),
                      {{"block", face.owner}, {"facet", face.patch}});
   }
+  for (const SideFidelity &side : measures.sides) certificate.fidelity.strayed += side.strayed;
+  for (const Index f : measures.furthest) // to be cut further where that is too much
+    certificate.fidelity.furthest.push_back({"block", faces[at(f)].owner});
   certificate.fidelity.sides = std::move(measures.sides);
 }
 

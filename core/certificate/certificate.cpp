@@ -54,11 +54,14 @@ void summarizeFidelity(const Certificate &geometry, Certificate &features) {
     fidelity.largestDistance = std::max(fidelity.largestDistance, side.distance);
     fidelity.largestTurning = std::max(fidelity.largestTurning, side.turning);
   }
-  if (geometry.isExact) return;
-  fidelity.volumeDifference = geometry.meshMeasure / geometry.domainMeasure - 1;
-  if (!(std::abs(fidelity.volumeDifference) <= kMostVolumeDifference))
-    features.fail(Check::features, "the blocks' volume differs from the domain's by " +
-                                       scientific(fidelity.volumeDifference) + " of it");
+  fidelity.strayed /= geometry.domainMeasure;
+  if (!geometry.isExact) fidelity.volumeDifference = geometry.meshMeasure / geometry.domainMeasure - 1;
+  if (!(fidelity.strayed <= kMostStrayed) ||
+      !(std::abs(fidelity.volumeDifference) <= kMostStrayed)) // the one cannot be without the other
+    features.fail(Check::features,
+                  scientific(100 * std::max(fidelity.strayed, std::abs(fidelity.volumeDifference))) +
+                      " % of the domain's volume lies between its bent sides and the blocks",
+                  fidelity.furthest);
 }
 
 /// Checks 3 to 5.

@@ -29,6 +29,8 @@ struct Fidelity {
   double largestDistance = 0;      // between bent sides and faces, curves and edges: a share of the local size
   double largestTurning = 0;       // degrees, of a side in a face, or of a curve along an edge
   double volumeDifference = 0;     // of the blocks' volume from the domain's, as a share of that
+  double strayed = 0;              // volume between bent sides and faces, lost or gained, as a share of the same
+  std::vector<EntityRef> furthest; // blocks, or elements, that most of it lies beside
   std::vector<SideFidelity> sides; // the bent ones
 };
 

@@ -172,7 +172,11 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
   for (const SideFidelity &side : measures.sides) {
     certificate.fidelity.largestDistance = std::max(certificate.fidelity.largestDistance, side.distance);
     certificate.fidelity.largestTurning = std::max(certificate.fidelity.largestTurning, side.turning);
+    certificate.fidelity.strayed += side.strayed / certificate.domainMeasure;
   }
+  if (!(certificate.fidelity.strayed <= kMostStrayed) && !in.mayStayStraight)
+    certificate.fail(Check::features, scientific(100 * certificate.fidelity.strayed) +
+                                          " % of the domain's volume lies between its bent sides and the elements");
   certificate.fidelity.sides = std::move(measures.sides);
   certificate.fidelity.volumeDifference = certificate.meshMeasure / certificate.domainMeasure - 1;
 }

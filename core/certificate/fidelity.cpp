@@ -84,7 +84,7 @@ public:
   SideMeter(const std::vector<Vec<3>> &positions, std::span<const SideFace> faces,
             std::span<const SideTriangle> triangles)
       : positions_(positions), faces_(faces), triangles_(triangles), distance_(faces.size(), 0),
-        turning_(faces.size(), 0) {
+        turning_(faces.size(), 0), strayed_(faces.size(), 0) {
     for (const SideFace &face : faces) meanSize_ += face.size / static_cast<double>(faces.size());
   }
 
@@ -95,8 +95,16 @@ public:
 
   double distance(std::size_t face) const { return distance_[face]; }
   double turning(std::size_t face) const { return turning_[face]; }
+  /// The volume between the face and its side: half of what the one is off the other, from either.
+  double strayed(std::size_t face) const { return strayed_[face]; }
 
 private:
+  double areaOf(const std::array<Index, 4> &q) const {
+    return glm::length(glm::cross(positions_[at(q[2])] - positions_[at(q[0])],
+                                  positions_[at(q[3])] - positions_[at(q[1])])) /
+           2;
+  }
+
   void fromFaces(int samples) {
     std::vector<Box> boxes;
     for (const SideTriangle &t : triangles_) boxes.push_back(boxOf(t.corners));
@@ -111,6 +119,8 @@ private:
               tree.nearest(x, std::numeric_limits<double>::infinity(),
                            [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
           distance_[f] = std::max(distance_[f], std::sqrt(square) / faces_[f].size);
+          if (i % (samples + 1) != 0 && j % (samples + 1) != 0)
+            strayed_[f] += std::sqrt(square) * areaOf(faces_[f].nodes) / (2.0 * samples * samples);
         }
   }
 
@@ -166,7 +176,9 @@ private:
         }
       for (int a = 0; a < n; ++a)
         for (int b = 0; a + b < n; ++b) {
-          auto &known = normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)];
+          const std::size_t f = nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap);
+          strayed_[f] += gap * glm::length(across) / (4.0 * n * n);
+          auto &known = normals[f];
           if (known.empty() || glm::dot(known.back().first, unit) < 1 - 1e-9) known.emplace_back(unit, 0);
           known.back().second += glm::length(across) / (n * n);
         }
@@ -185,7 +197,7 @@ private:
   std::span<const SideFace> faces_;
   std::span<const SideTriangle> triangles_;
   double meanSize_ = 0;
-  std::vector<double> distance_, turning_;
+  std::vector<double> distance_, turning_, strayed_;
 };
 
 } // namespace
@@ -209,6 +221,7 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
             [](const SideTriangle &a, const SideTriangle &b) {
               return a.patch != b.patch ? a.patch < b.patch : a.facet < b.facet;
             });
+  std::vector<double> strayed(faces.size(), 0);
   std::size_t firstTriangle = 0;
   for (std::size_t begin = 0, end = 0; begin < facesByPatch.size(); begin = end) {
     SideFidelity side{facesByPatch[begin].patch};
@@ -226,10 +239,17 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
       const double turning = meter.turning(f - begin);
       side.distance = std::max(side.distance, distance);
       side.turning = std::max(side.turning, turning);
+      strayed[at(order[f])] = meter.strayed(f - begin);
+      side.strayed += meter.strayed(f - begin);
       if (!(distance <= kMostDistance)) measures.faults.push_back({order[f], distance, false});
       if (turning > kMostTurning) measures.faults.push_back({order[f], turning, true});
     }
     measures.sides.push_back(side);
+  }
+  if (!strayed.empty()) {
+    const double most = *std::max_element(strayed.begin(), strayed.end());
+    for (std::size_t f = 0; f < strayed.size(); ++f)
+      if (strayed[f] > most / 2) measures.furthest.push_back(toIndex(f));
   }
   sortItems(measures.faults, [](const FaceFault &a, const FaceFault &b) { return a.face < b.face; });
   return measures;

@@ -11,13 +11,15 @@ namespace dualblock {
 // stand for: its distance from an arc is then 0.29 of its length, and it still leads the way the arc does.
 inline constexpr double kMostTurning = 120;         // degrees, of a curve along an edge, of a side in a face
 inline constexpr double kMostDistance = 1.0 / 3;    // of the face's or edge's own size, or of the blocks behind it
-inline constexpr double kMostVolumeDifference = 0.4; // of the domain's volume; four faces around a cylinder: 0.36
+// Of the domain's volume, between sides and faces, lost and gained alike: a ball of 32 blocks has 0.25.
+inline constexpr double kMostStrayed = 0.3;
 
 /// Of one bent side, by its patch, or of all of them (kNone).
 struct SideFidelity {
   Index patch = kNone;
   double distance = 0; // the largest between faces and side, both ways, as a share of the local size
   double turning = 0;  // degrees: the largest angle between normals of the side within what one face stands for
+  double strayed = 0;  // volume between the side and its faces, on either side of it
 };
 
 /// A mesh's face on a bent side.
@@ -43,6 +45,7 @@ struct FaceFault {
 struct SideMeasures {
   std::vector<SideFidelity> sides; // by patch
   std::vector<FaceFault> faults;   // faces beyond a bound, in their order
+  std::vector<Index> furthest;     // faces with over half as much volume beside them as that with the most
 };
 
 /// The longer of the lines through the middles of a face's opposite edges, or the blocks' `column` behind it

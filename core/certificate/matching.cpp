@@ -1,6 +1,7 @@
 // Check 1: the matching rules of the paper's section 4.3. On each face of the reference mesh a contribution
 // leaves a trace: the subset of the face's nodes that it is cut off around. At every trace on an inner face
-// the same D-bar-surfaces must arrive from both sides.
+// the same D-bar-surfaces must arrive from both sides. On a face of the boundary at most one arrives at a
+// trace, or two around a corner (ARCHITECTURE.md 6).
 #include <bit>
 
 #include "base/sort.h"
@@ -50,6 +51,58 @@ void tracesOn(const CertificateInput<N> &in, const Ranks<N> &ranks, Index s, int
   }
 }
 
+/// Whether a node of the mask is a corner of the part at which all of these sides meet.
+template <int N>
+bool hasCorner(const CertificateInput<N> &in, Index s, unsigned mask, const std::array<Index, 3> &sides) {
+  const Index part = in.parts.partOfSimplex[at(s)];
+  for (int v = 0; v < N + 1; ++v) {
+    if ((mask >> v & 1) == 0) continue;
+    const std::array<Index, 2> wanted{part, in.mesh.simplices[at(s)][v]};
+    const auto corner = std::lower_bound(in.parts.corners.begin(), in.parts.corners.end(), wanted,
+                                         [](const Corner &c, const std::array<Index, 2> &w) {
+                                           return std::array{c.part, c.node} < w;
+                                         });
+    if (corner == in.parts.corners.end() || std::array{corner->part, corner->node} != wanted) continue;
+    if (std::all_of(sides.begin(), sides.end(), [&](Index side) {
+          return std::binary_search(corner->sides.begin(), corner->sides.end(), side);
+        }))
+      return true;
+  }
+  return false;
+}
+
+/// Face i of s, on the boundary. That at its edges the same D-bar-surfaces arrive from the next face of the
+/// boundary needs no check: all contributions that part an edge's nodes leave traces on both faces of their
+/// simplex that have it, so it follows from the inner faces around the edge.
+template <int N>
+void checkBoundaryFace(const CertificateInput<N> &in, Index s, int i, Certificate &certificate) {
+  const auto fail = [&](const char *message) {
+    certificate.fail(Check::matching, message, {{"simplex", s}});
+  };
+  const Contribution *const begin = in.contributions.ofSimplex.begin(s);
+  const Contribution *const end = in.contributions.ofSimplex.end(s);
+  const unsigned all = RegionTables<N>::kFullMask & ~(1U << i);
+  Index own = kNone;
+  for (const Contribution *c = begin; c != end; ++c)
+    if ((c->mask & all) == all) own = c->side;
+  if (own == kNone) return fail("no D-bar-surface runs along a face of the boundary");
+  for (const Contribution *c = begin; c != end; ++c) {
+    const unsigned trace = c->mask & all;
+    int others = 0; // that leave the same trace
+    for (const Contribution *d = c + 1; d != end; ++d) {
+      // A D-bar-surface may cross itself on the boundary, where it comes back from around a hole, but as the
+      // sides that it belongs to there are two, a side has one contribution.
+      if (c->side == d->side) fail("a side has two contributions in one simplex of the boundary");
+      if (trace == 0 || (d->mask & all) != trace) continue;
+      ++others;
+      if (trace == all) fail("two D-bar-surfaces run along one face of the boundary");
+      else if (others > N - 2) fail("too many D-bar-surfaces arrive together at a face of the boundary");
+      else if (!hasCorner(in, s, trace, {own, c->side, d->side}))
+        fail("two D-bar-surfaces arrive together at a face of the boundary, and at no corner");
+    }
+  }
+}
+
 } // namespace
 
 template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &certificate) {
@@ -64,15 +117,7 @@ template <int N> void checkMatching(const CertificateInput<N> &in, Certificate &
     for (int i = 0; i < N + 1; ++i) {
       const Index t = in.mesh.neighbors[at(s)][i];
       if (t == kNone) {
-        if (empty) continue;
-        // A D-bar-surface may cross itself on the boundary, where it comes back from around a hole, but as
-        // the sides that it belongs to there are two, a side has one contribution.
-        const Contribution *const end = in.contributions.ofSimplex.end(s);
-        for (const Contribution *c = in.contributions.ofSimplex.begin(s); c != end; ++c)
-          for (const Contribution *d = c + 1; d != end; ++d)
-            if (c->side == d->side)
-              certificate.fail(Check::matching, "a side has two contributions in one simplex of the boundary",
-                               {{"simplex", s}});
+        checkBoundaryFace(in, s, i, certificate);
         continue;
       }
       if (t < s || (empty && in.contributions.ofSimplex.size(t) == 0)) continue;

@@ -235,13 +235,15 @@ std::string describeIntersections(const std::string &facets, const std::vector<I
     for (int c = 0; c < N; ++c) text += (c > 0 ? ", " : "") + formatNumber(found[k].where[c]);
     text += ")";
   }
-  return found.size() > kNamedPlaces ? text + ", and others elsewhere" : text;
+  if (found.size() <= kNamedPlaces) return text;
+  const std::string count = found.size() < kFoundPlaces ? std::to_string(found.size()) : "over " + std::to_string(kFoundPlaces);
+  return text + ", and others: " + count + " pairs in all";
 }
 
 template <int N>
 std::vector<EntityRef> culpritsOf(const std::string &kind, const std::vector<Intersection<N>> &found) {
   std::vector<EntityRef> entities;
-  for (std::size_t k = 0; k < found.size() && k < kNamedPlaces; ++k)
+  for (std::size_t k = 0; k < found.size(); ++k)
     for (const Index facet : {found[k].facetA, found[k].facetB})
       if (std::none_of(entities.begin(), entities.end(),
                        [&](const EntityRef &e) { return e.index == facet; }))

@@ -20,9 +20,13 @@ template <int N> struct Intersection {
 std::vector<Intersection<2>> findIntersections(const Domain<2> &domain, double tolerance, std::size_t most);
 std::vector<Intersection<3>> findIntersections(const Domain<3> &domain, double tolerance, std::size_t most);
 
-/// What is said of them: "<Facets> 3 and 17 meet at (0, 1, 2), 4 and 18 at (0, 1, 3), and others elsewhere".
-/// The last of more than kNamedPlaces is not named.
+/// Pairs of facets whose places a message gives, and those that are looked for: their facets are an error's
+/// entities.
 constexpr std::size_t kNamedPlaces = 8;
+constexpr std::size_t kFoundPlaces = 1000;
+
+/// What is said of them: "<Facets> 3 and 17 meet at (0, 1, 2), 4 and 18 at (0, 1, 3), and others: 12 pairs in
+/// all".
 template <int N>
 std::string describeIntersections(const std::string &facets, const std::vector<Intersection<N>> &found);
 

@@ -97,7 +97,7 @@ Result<PreparedDomain<2>> prepareDomain(const Domain<2> &given, double tolerance
                        " has no length: remove one of the two.",
                    {{"edge", static_cast<std::int64_t>(f)}, {"vertex", s[0]}, {"vertex", s[1]}}};
   }
-  if (const auto crossings = findIntersections(given, tolerance * size, kNamedPlaces + 1); !crossings.empty())
+  if (const auto crossings = findIntersections(given, tolerance * size, kFoundPlaces); !crossings.empty())
     return Error{ErrorCode::selfIntersection,
                  describeIntersections("Segments", crossings) +
                      ", where they share no vertex: loops must neither cross nor touch.",

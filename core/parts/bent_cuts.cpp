@@ -12,7 +12,8 @@ namespace dualblock {
 namespace {
 
 constexpr double kAlike = 1e-6; // of the domain's size: mirror images
-constexpr int kTriedAlone = 40; // cuts of single parts in a round of halving, as each is judged by all parts anew
+constexpr std::size_t kProposalsAlone = 6; // of one part
+constexpr std::size_t kMostSpread = 8;     // parts that such a cut may add
 
 /// No curve at all: through the middle, across the direction in which the part extends least; of directions
 /// that are as good the coordinate axes, z first, go before.
@@ -323,15 +324,41 @@ Index notSimple(const Parts<3> &parts) {
       parts.parts.begin(), parts.parts.end(), [](const PartInfo &part) { return !part.simple; })));
 }
 
+/// Halves a part by whichever of its proposals leaves the fewest blocks in all. A plane that leaves the part
+/// through a split side runs on behind it, and may divide much that nobody asked for: such ones are refused.
+bool halveAlone(ReferenceMesh<3> &mesh, Parts<3> &parts, Index part, const BentCutOptions &options,
+                int &triesLeft) {
+  const PartView v = viewOf(mesh, parts, part, options);
+  const Index before = notSimple(parts);
+  std::optional<ReferenceMesh<3>> best;
+  Parts<3> bestParts;
+  std::size_t proposals = 0;
+  const ReferenceMesh<3> uncut = mesh;
+  for (const Proposal &proposal : halving(v)) {
+    if (++proposals > kProposalsAlone || --triesLeft < 0) break;
+    if (!carryOut(mesh, v, proposal, options)) continue;
+    Parts<3> now = buildParts(mesh, PartOptions{});
+    if (notSimple(now) <= before && now.parts.size() <= parts.parts.size() + kMostSpread &&
+        (!best || now.corners.size() < bestParts.corners.size())) {
+      best = std::move(mesh);
+      bestParts = std::move(now);
+    }
+    mesh = uncut;
+  }
+  if (!best) return false;
+  mesh = std::move(*best);
+  parts = std::move(bestParts);
+  return true;
+}
+
 } // namespace
 
 Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
-                 const BentCutOptions &options) {
+                 const BentCutOptions &options, int &triesLeft) {
   parts = buildParts(mesh, PartOptions{}); // as they are judged again below
-  const Index before = notSimple(parts);
   // All at once where that serves: mostly it does. The parts are those of before; what has been split off their
   // simplices since is found from them.
-  ReferenceMesh<3> original = mesh;
+  ReferenceMesh<3> uncut = mesh;
   Index cuts = 0;
   for (const Index part : which) {
     const PartView v = viewOf(mesh, parts, part, options);
@@ -342,34 +369,19 @@ Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Inde
       }
   }
   Parts<3> halved = buildParts(mesh, PartOptions{});
-  if (notSimple(halved) <= before) {
+  if (notSimple(halved) <= notSimple(parts) && halved.parts.size() <= parts.parts.size() + 2 * which.size()) {
     parts = std::move(halved);
     return cuts;
   }
   // Else one by one: a simplex of each part leads back to what is left of it after the other cuts.
-  mesh = std::move(original);
+  mesh = std::move(uncut);
   std::vector<Index> seeds;
   for (const Index part : which)
     seeds.push_back(toIndex(static_cast<std::size_t>(
         std::find(parts.partOfSimplex.begin(), parts.partOfSimplex.end(), part) - parts.partOfSimplex.begin())));
   cuts = 0;
-  int tried = 0;
-  for (const Index seed : seeds) {
-    const PartView v = viewOf(mesh, parts, parts.partOfSimplex[at(seed)], options);
-    for (const Proposal &proposal : halving(v)) {
-      if (++tried > kTriedAlone) return cuts;
-      ReferenceMesh<3> uncut = mesh;
-      if (!carryOut(mesh, v, proposal, options)) continue;
-      Parts<3> now = buildParts(mesh, PartOptions{});
-      if (notSimple(now) > before) {
-        mesh = std::move(uncut);
-        continue;
-      }
-      parts = std::move(now);
-      ++cuts;
-      break;
-    }
-  }
+  for (const Index seed : seeds)
+    if (triesLeft > 0) cuts += halveAlone(mesh, parts, parts.partOfSimplex[at(seed)], options, triesLeft) ? 1 : 0;
   return cuts;
 }
 

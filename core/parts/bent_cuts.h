@@ -23,8 +23,9 @@ CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentC
                       const std::vector<bool> &gaveUp);
 
 /// Cuts each of some parts once more, where it turns most, as far as that leaves as many parts simple as were.
-/// `parts` are those of the mesh, before and afterwards. Returns the number of cuts.
+/// `parts` are those of the mesh, before and afterwards. `triesLeft`: cuts of single parts that may still be
+/// tried, each of which is judged by all parts anew. Returns the number of cuts.
 Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
-                 const BentCutOptions &options);
+                 const BentCutOptions &options, int &triesLeft);
 
 } // namespace dualblock

@@ -15,9 +15,9 @@ Error nameCulprits(const Error &error, const Domain<N> &given, const PreparedDom
     return std::find(merged.begin(), merged.end(), static_cast<Index>(facet)) - merged.begin();
   };
   const double touch = tolerance * domainSize(given.vertices);
-  auto found = findIntersections(given, touch, kNamedPlaces + 1);
+  auto found = findIntersections(given, touch, kFoundPlaces);
   if (found.empty()) { // a vertex that coplanar facets share with others may be inside of what they became
-    found = findIntersections(prepared.domain, touch, kNamedPlaces + 1);
+    found = findIntersections(prepared.domain, touch, kFoundPlaces);
     for (Intersection<N> &place : found) {
       place.facetA = static_cast<Index>(givenFacet(place.facetA));
       place.facetB = static_cast<Index>(givenFacet(place.facetB));

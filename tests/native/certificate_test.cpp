@@ -122,6 +122,83 @@ TYPED_TEST(CertificateOf, MatchingSideThatIsNotFull) {
   });
 }
 
+/// Gives each of `copies` the contributions of `original` in place of its own: they run along it everywhere.
+template <int N> void runAlong(PipelineResult<N> &r, Index original, const std::vector<Index> &copies) {
+  Lists<Contribution> lists;
+  for (Index s = 0; s < r.mesh.simplexCount(); ++s) {
+    const Contribution *const end = r.contributions.ofSimplex.end(s);
+    for (const Contribution *c = r.contributions.ofSimplex.begin(s); c != end; ++c) {
+      if (std::find(copies.begin(), copies.end(), c->side) == copies.end()) lists.items.push_back(*c);
+      if (c->side != original) continue;
+      for (const Index side : copies) lists.items.push_back({side, c->mask});
+    }
+    lists.offsets.push_back(toIndex(lists.items.size()));
+  }
+  r.contributions.ofSimplex = lists;
+}
+
+/// Only the rule for the boundary may fail: the traces on inner faces agree.
+template <int N> void expectBoundaryRule(const PipelineResult<N> &r, const std::string &words) {
+  const Certificate certificate = certified(r);
+  EXPECT_FALSE(certificate.passed[static_cast<std::size_t>(Check::matching)]);
+  const std::string failures = failuresOf(certificate);
+  EXPECT_NE(failures.find(words), std::string::npos) << failures;
+  EXPECT_EQ(failures.find("from both sides"), std::string::npos) << failures;
+}
+
+// At a segment of the boundary one contribution arrives, or two of sides that meet the face's own at a
+// corner.
+TYPED_TEST(CertificateOf, MatchingSurfacesThatLeaveTheBoundaryTogether) {
+  constexpr int N = TypeParam::value;
+  PipelineResult<N> r = run(loadExample<N>(Examples<N>::kConvex));
+  runAlong(r, Index{0}, {1});
+  expectBoundaryRule(r, N == 2 ? "too many D-bar-surfaces arrive together" : "and at no corner");
+}
+
+TEST(Certificate, MatchingTooManySurfacesAtACorner) {
+  PipelineResult<3> r = run(loadExample<3>("tapered_brick"));
+  const Corner &corner = r.parts.corners.front();
+  Index other = 0; // a side that does not meet this corner
+  while (std::find(corner.sides.begin(), corner.sides.end(), other) != corner.sides.end()) ++other;
+  runAlong(r, corner.sides[0], {corner.sides[1], other});
+  expectBoundaryRule(r, "too many D-bar-surfaces arrive together");
+}
+
+TYPED_TEST(CertificateOf, MatchingBareBoundary) {
+  constexpr int N = TypeParam::value;
+  PipelineResult<N> r = run(loadExample<N>(Examples<N>::kConvex));
+  r.contributions.ofSimplex.items.clear();
+  r.contributions.ofSimplex.offsets.assign(r.mesh.simplices.size() + 1, 0);
+  expectBoundaryRule(r, "no D-bar-surface runs along a face of the boundary");
+}
+
+// Two sides share a face: their surfaces run along it together.
+TYPED_TEST(CertificateOf, MatchingBoundaryOfTwoSides) {
+  constexpr int N = TypeParam::value;
+  PipelineResult<N> r = run(loadExample<N>(Examples<N>::kConvex));
+  runAlong(r, Index{0}, {1});
+  expectBoundaryRule(r, "two D-bar-surfaces run along one face");
+}
+
+// Coarse meshes have segments of the boundary where two contributions end, which the paper does not have.
+TEST(Certificate, MatchingTwoHardContributionsAtACorner) {
+  for (const char *name : {"square_ring", "protrusion", "box_on_box"}) {
+    const PipelineResult<3> r = run(loadExample<3>(name));
+    int found = 0;
+    for (Index s = 0; s < r.mesh.simplexCount(); ++s)
+      for (int i = 0; i < 4; ++i) {
+        if (r.mesh.neighbors[at(s)][at(i)] != kNone) continue;
+        const unsigned face = 15U & ~(1U << i);
+        const Contribution *const end = r.contributions.ofSimplex.end(s);
+        for (const Contribution *c = r.contributions.ofSimplex.begin(s); c != end; ++c)
+          for (const Contribution *d = c + 1; d != end; ++d)
+            found += c->mask != d->mask && (c->mask & face) == (d->mask & face) && (c->mask & face) != 0;
+      }
+    EXPECT_GT(found, 0) << name;
+    EXPECT_TRUE(certified(r).valid) << name << failuresOf(certified(r));
+  }
+}
+
 TYPED_TEST(CertificateOf, CellsMergedIntoOne) {
   constexpr int N = TypeParam::value;
   expectCaught<N>(Examples<N>::kConvex, Check::cells, "not a ball", [](auto &r) {

@@ -219,6 +219,15 @@ TEST(MeshJudge, SolidsHoldTheirPoints) {
     EXPECT_NEAR(solid.windingNumber(p), isInside ? 1 : 0, 1e-9);
     EXPECT_EQ(solid.holds(p), isInside);
   }
+  // A pin in the hole, whose ends are islands in the plate's facets.
+  addHole(plate, circle(12, 0.5), 0, 1);
+  for (std::size_t f = plate.facets.size() - 12; f < plate.facets.size(); ++f)
+    std::reverse(plate.facets[f].loops[0].begin(), plate.facets[f].loops[0].end());
+  const SolidMembership pinned(plate);
+  EXPECT_NEAR(pinned.volume(), solid.volume() + 6 * 0.25 * std::sin(kPi / 6), 1e-12);
+  EXPECT_TRUE(pinned.holds({0.1, 0.2, 0.5}));
+  EXPECT_FALSE(pinned.holds({0.5, 0.4, 0.5}));
+  EXPECT_TRUE(pinned.holds({1.5, 0.2, 0.5}));
   for (int kind = 0; kind < kBentKindCount; ++kind) { // by cells, and without them
     const SolidMembership bent(bentSolid(kind, 4));
     for (int k = 0; k < 500; ++k) {

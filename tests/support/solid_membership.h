@@ -22,8 +22,8 @@ public:
         Vec<3> normal{0.0};
         for (std::size_t k = 2; k < loop.size(); ++k) normal += normalOf({loop[0], loop[k - 1], loop[k]});
         if (l == 0) outer = normal;
-        // A hole runs against its facet, and an island in it along with it again.
-        const bool turned = (glm::dot(normal, outer) > 0) == (depthOf(facet, l, outer) % 2 == 1);
+        // A hole runs against its facet, an island in a hole with it.
+        const bool turned = l > 0 && (glm::dot(normal, outer) > 0) != isIsland(facet, l, outer);
         // Where a fan covers a place of the plane twice or leaves the loop, its triangles cancel out.
         for (std::size_t k = 2; k < loop.size(); ++k)
           triangles_.push_back(turned ? Triangle{loop[0], loop[k], loop[k - 1]}
@@ -36,29 +36,6 @@ public:
       high_ = glm::max(high_, v);
     }
     markCells();
-  }
-
-  /// How many other loops of a facet are around one of them: by rays in the plane, from its first corner.
-  int depthOf(const Facet &facet, std::size_t l, const Vec<3> &normal) const {
-    const Vec<3> n = glm::abs(normal);
-    const int drop = n.x > n.y && n.x > n.z ? 0 : n.y > n.z ? 1 : 2;
-    const int i = (drop + 1) % 3;
-    const int j = (drop + 2) % 3;
-    const Vec<3> &p = vertices_[at(facet.loops[l][0])];
-    int depth = 0;
-    for (std::size_t other = 0; other < facet.loops.size(); ++other) {
-      if (other == l) continue;
-      bool isInside = false;
-      const auto &loop = facet.loops[other];
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<3> &a = vertices_[at(loop[k])];
-        const Vec<3> &b = vertices_[at(loop[(k + 1) % loop.size()])];
-        if ((a[j] > p[j]) != (b[j] > p[j]) && p[i] < a[i] + (p[j] - a[j]) / (b[j] - a[j]) * (b[i] - a[i]))
-          isInside = !isInside;
-      }
-      depth += isInside ? 1 : 0;
-    }
-    return depth;
   }
 
   const Vec<3> &low() const { return low_; }
@@ -124,6 +101,25 @@ private:
 
   Vec<3> normalOf(const Triangle &t) const {
     return glm::cross(vertices_[at(t[1])] - vertices_[at(t[0])], vertices_[at(t[2])] - vertices_[at(t[0])]);
+  }
+  /// Whether a loop is within an even number of the facet's others, by a ray in the facet's plane.
+  bool isIsland(const Facet &facet, std::size_t loop, const Vec<3> &normal) const {
+    const Vec<3> size = glm::abs(normal);
+    const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    const int u = (drop + 1) % 3;
+    const int w = (drop + 2) % 3;
+    const Vec<3> &p = vertices_[at(facet.loops[loop][0])];
+    bool even = true;
+    for (std::size_t l = 0; l < facet.loops.size(); ++l) {
+      const auto &other = facet.loops[l];
+      for (std::size_t k = 0; l != loop && k < other.size(); ++k) {
+        const Vec<3> &a = vertices_[at(other[k])];
+        const Vec<3> &b = vertices_[at(other[(k + 1) % other.size()])];
+        if ((a[w] > p[w]) == (b[w] > p[w])) continue;
+        if (a[u] + (p[w] - a[w]) / (b[w] - a[w]) * (b[u] - a[u]) > p[u]) even = !even;
+      }
+    }
+    return even;
   }
   int placeOf(double x, int axis) const {
     const double share = (x - low_[axis]) / (high_[axis] - low_[axis]);

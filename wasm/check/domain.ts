@@ -1,11 +1,11 @@
 // A domain as a file gives it: planar facets, nothing oriented or merged but equal points.
 import { DualblockError } from '../io/errors.ts';
 import { mergeEqualPoints } from '../io/merge-points.ts';
-import { areaVector } from './polygon.ts';
-import { boxAround, distance, dot, norm, pointAt, type Vector } from './vector.ts';
+import { areaVector, sidesOf, windingInPlane } from './polygon.ts';
+import { add, boxAround, distance, dot, norm, pointAt, times, type Vector, zero } from './vector.ts';
 
 export interface Facet {
-  /** The facet's number in the file. */
+  /** The facet's number in the file; islands in its holes have it too. */
   id: number;
   /** Loops of vertices, the outer one first, holes the other way round. In 2D one "loop": a segment's two ends. */
   loops: number[][];
@@ -52,8 +52,9 @@ export function makeDomain(
       .map((loop) => loop.filter((v, k) => v !== loop[(k + 1) % loop.length]))
       .filter((loop, l) => l === 0 || loop.length >= dimension),
   }));
-  const whole = merged.filter(({ loops }) => (loops[0]?.length ?? 0) >= dimension);
-  for (const facet of whole) facet.loops = arrangeLoops(facet.loops, vertices);
+  const whole = merged
+    .filter(({ loops }) => (loops[0]?.length ?? 0) >= dimension)
+    .flatMap(({ id, loops }) => arrangeLoops(loops, vertices).map((arranged) => ({ id, loops: arranged })));
   return { dimension, vertices, facets: joinShared(whole), holes: [], regions: [], isFilled: false, ...more };
 }
 
@@ -92,12 +93,32 @@ const keyOf = (loops: number[][]): string =>
     .sort()
     .join(';');
 
-/** The loops with the largest one first and the others turned against it. */
-function arrangeLoops(loops: number[][], vertices: Vector[]): number[][] {
-  if (loops.length === 1) return loops;
-  const area = (loop: number[]): Vector => areaVector([loop.map((v) => vertices[v] ?? [0, 0, 0])]);
-  const [outer = [], ...holes] = loops.toSorted((a, b) => norm(area(b)) - norm(area(a)));
-  return [outer, ...holes.map((hole) => (dot(area(hole), area(outer)) > 0 ? hole.toReversed() : hole))];
+/**
+ * Loops that bound a facet, the largest one first and its holes turned against it. Islands in holes are facets of their
+ * own, with their holes.
+ */
+function arrangeLoops(loops: number[][], vertices: Vector[]): number[][][] {
+  if (loops.length === 1) return [loops];
+  const corners = (loop: number[]): Vector[] => loop.map((v) => vertices[v] ?? [0, 0, 0]);
+  const area = (loop: number[]): Vector => areaVector([corners(loop)]);
+  const sorted = loops.toSorted((a, b) => norm(area(b)) - norm(area(a)));
+  const normal = area(sorted[0] ?? []);
+  const isWithin = (loop: number[], other: number[]): boolean => {
+    const [a = zero, b = zero] = corners(loop);
+    const [corner = times(0.5, add(a, b))] = corners(loop.filter((v) => !other.includes(v))); // they may touch
+    return windingInPlane(corner, sidesOf([corners(other)]), normal) !== 0;
+  };
+  const along = (loop: number[], sign: number): number[] =>
+    sign * dot(area(loop), normal) < 0 ? loop.toReversed() : loop;
+  const arranged: number[][][] = [];
+  const facetOf: number[] = []; // of each loop, the one that it bounds
+  sorted.forEach((loop, l) => {
+    const around = sorted.slice(0, l).flatMap((other, o) => (isWithin(loop, other) ? [o] : []));
+    const isHole = around.length % 2 === 1;
+    facetOf[l] = isHole ? (facetOf[around.at(-1) ?? 0] ?? 0) : arranged.push([]) - 1;
+    arranged[facetOf[l] ?? 0]?.push(along(loop, isHole ? -1 : 1));
+  });
+  return arranged;
 }
 
 /** The corners of a facet, loop by loop. */
