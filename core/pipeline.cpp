@@ -20,11 +20,11 @@ namespace {
 // Marked noinline: the module is 1 kB (gzip) smaller if these are there once for each dimension.
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
-constexpr int kBlameRounds = 4;    // then all components fall back
+constexpr int kBlameRounds = 4;        // then all components fall back
 constexpr Index kCheapToHalve = 60000; // simplices, up to which parts that do not serve are halved
 constexpr int kHalvings = 8;           // rounds of that
-constexpr int kHalvedAlone = 100;      // cuts of single parts that are tried in all of them
-constexpr double kPoorShape = 0.1; // scaled Jacobian of a mesh of bent parts below which others are tried
+constexpr int kHalvedAlone = 40;       // cuts of single parts that are tried in all of them
+constexpr double kPoorShape = 0.1;     // scaled Jacobian of a mesh of bent parts below which others are tried
 
 /// Contributions and D-bar-cells of the parts, with repairs of the mesh until conditions (a) and (b) hold.
 /// False if they cannot be made to hold.
@@ -170,9 +170,7 @@ std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<Pa
   which.erase(std::unique(which.begin(), which.end()), which.end());
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
   which.erase(std::remove_if(which.begin(), which.end(),
-                             [&](Index part) {
-                               return source[at(component[at(part)])] != PartSource::cuts;
-                             }),
+                             [&](Index part) { return source[at(component[at(part)])] != PartSource::cuts; }),
               which.end());
   return which;
 }
@@ -185,8 +183,8 @@ template <int N>
   if constexpr (N == 3) {
     if (r.bentSides == 0 || r.mesh.simplexCount() > kCheapToHalve) return false;
     const std::vector<Index> which = partsAtFault(r, source);
-    const BentCutOptions options{{tolerance, toIndex(r.domain.domain.facets.size())},
-                                 axesOf(r.features, r.featureNodes), {}, {}};
+    const BentCutOptions options{
+        {tolerance, toIndex(r.domain.domain.facets.size())}, axesOf(r.features, r.featureNodes), {}, {}};
     const Index cuts = halveParts(r.mesh, r.parts, which, options, triesLeft);
     r.bentCuts += cuts;
     r.cuts += cuts;
@@ -195,9 +193,9 @@ template <int N>
   return false;
 }
 
-/// From the parts that were chosen to a mesh with its certificate. Parts that this blames are halved; where that
-/// does not serve, their components go down the ladder of the fallback, if they may. False if they may not,
-/// or there is no coarsest mesh for them.
+/// From the parts that were chosen to a mesh with its certificate. Parts that this blames are halved; where
+/// that does not serve, their components go down the ladder of the fallback, if they may. False if they may
+/// not, or there is no coarsest mesh for them.
 template <int N>
 [[gnu::noinline]] bool meshParts(PipelineResult<N> &r, PartChoice<N> choice, bool mayFallBack,
                                  const PipelineOptions &options, const CoarseMesh<N> &coarse,

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include "certificate.h"
 #include "geometry/jacobian.h"
 #include "io/read_domain.h"
-#include "certificate.h"
 #include "marshal.h"
 #include "pipeline.h"
 #include "primal/boundary.h"

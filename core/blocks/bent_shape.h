@@ -8,7 +8,8 @@ namespace dualblock {
 /// The facets of bent sides and the segments of the curves that bound them, with the patches (half of
 /// ReferenceMesh::sideKey) that they belong to. Empty in 2D, where every side is straight.
 template <int N> struct BentFacets {
-  std::vector<std::array<Vec<N>, N>> faces; // counter-clockwise from outside, or from one side of an interface
+  std::vector<std::array<Vec<N>, N>>
+      faces; // counter-clockwise from outside, or from one side of an interface
   std::vector<Index> patchOfFace;
   std::vector<Segment<N>> segments;
   std::vector<std::array<Index, 2>> patchesOfSegment; // ascending; one of them is bent

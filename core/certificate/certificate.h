@@ -26,10 +26,10 @@ struct FeatureCount {
 
 /// How near the blocks come to a domain with bent sides; zeros where they are the domain.
 struct Fidelity {
-  double largestDistance = 0;      // between bent sides and faces, curves and edges: a share of the local size
-  double largestTurning = 0;       // degrees, of a side in a face, or of a curve along an edge
-  double volumeDifference = 0;     // of the blocks' volume from the domain's, as a share of that
-  double strayed = 0;              // volume between bent sides and faces, lost or gained, as a share of the same
+  double largestDistance = 0;  // between bent sides and faces, curves and edges: a share of the local size
+  double largestTurning = 0;   // degrees, of a side in a face, or of a curve along an edge
+  double volumeDifference = 0; // of the blocks' volume from the domain's, as a share of that
+  double strayed = 0;          // volume between bent sides and faces, lost or gained, as a share of the same
   std::vector<EntityRef> furthest; // blocks, or elements, that most of it lies beside
   std::vector<SideFidelity> sides; // the bent ones
 };
@@ -39,10 +39,10 @@ struct Certificate {
   std::vector<CertificateFailure> failures;                 // the first few of each check
   std::vector<EntityRef> culprits;                          // what all failures name, of each check in turn
   bool valid = true;
-  double domainMeasure = 0;           // area or volume, from the domain's facets alone
-  double meshMeasure = 0;             // the same of the blocks, exactly integrated
-  bool isExact = true;                // the two agree; where sides are bent, blocks may cut corners
-  double worstCoefficient = 0;        // smallest Bezier coefficient over its block's largest
+  double domainMeasure = 0;    // area or volume, from the domain's facets alone
+  double meshMeasure = 0;      // the same of the blocks, exactly integrated
+  bool isExact = true;         // the two agree; where sides are bent, blocks may cut corners
+  double worstCoefficient = 0; // smallest Bezier coefficient over its block's largest
   Fidelity fidelity;
   std::vector<FeatureCount> features; // per domain curve, in the order of CertificateInput::curves
 

@@ -82,8 +82,8 @@ void checkBentSides(const BlockInput<3> &input, const BlockComplex<3> &complex, 
 std::string scientific(double x);
 
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the
-/// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest, `measure` the block's
-/// area or volume.
+/// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest, `measure` the
+/// block's area or volume.
 template <int N>
 int jacobianSign(const std::array<Vec<N>, 1 << N> &corners, double &ratio, double *measure = nullptr);
 

@@ -17,9 +17,9 @@ template <int N> struct ElementInput {
   bool mayStayStraight; // elements that stay straight beside a bent side may leave it as far as they do
 };
 
-/// Checks 3 to 5 of the elements: faces fit together on opposite sides and make the boundary that is handed out;
-/// all are positive, and add up to the blocks where nothing bends; where sides bend the boundary is embedded
-/// and stays near them. Failures name elements.
+/// Checks 3 to 5 of the elements: faces fit together on opposite sides and make the boundary that is handed
+/// out; all are positive, and add up to the blocks where nothing bends; where sides bend the boundary is
+/// embedded and stays near them. Failures name elements.
 template <int N> Certificate certifyElements(const ElementInput<N> &input);
 
 extern template Certificate certifyElements(const ElementInput<2> &);

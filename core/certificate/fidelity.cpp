@@ -115,9 +115,8 @@ private:
           if (i % (samples + 1) == 0 && j % (samples + 1) == 0) continue; // nodes lie on it: another check
           const Vec<3> x = pointOf(positions_, faces_[f].nodes, static_cast<double>(i) / (samples + 1),
                                    static_cast<double>(j) / (samples + 1));
-          const double square =
-              tree.nearest(x, std::numeric_limits<double>::infinity(),
-                           [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
+          const double square = tree.nearest(x, std::numeric_limits<double>::infinity(),
+                                             [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
           distance_[f] = std::max(distance_[f], std::sqrt(square) / faces_[f].size);
           if (i % (samples + 1) != 0 && j % (samples + 1) != 0)
             strayed_[f] += std::sqrt(square) * areaOf(faces_[f].nodes) / (2.0 * samples * samples);
@@ -217,10 +216,9 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
   sortItems(order, [&](Index a, Index b) { return faces[at(a)].patch < faces[at(b)].patch; });
   for (std::size_t f = 0; f < order.size(); ++f) facesByPatch[f] = faces[at(order[f])];
   std::vector<SideTriangle> trianglesByPatch = triangles;
-  sortItems(trianglesByPatch,
-            [](const SideTriangle &a, const SideTriangle &b) {
-              return a.patch != b.patch ? a.patch < b.patch : a.facet < b.facet;
-            });
+  sortItems(trianglesByPatch, [](const SideTriangle &a, const SideTriangle &b) {
+    return a.patch != b.patch ? a.patch < b.patch : a.facet < b.facet;
+  });
   std::vector<double> strayed(faces.size(), 0);
   std::size_t firstTriangle = 0;
   for (std::size_t begin = 0, end = 0; begin < facesByPatch.size(); begin = end) {

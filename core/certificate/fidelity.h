@@ -9,8 +9,9 @@ namespace dualblock {
 
 // What a block mesh may differ by from its domain. A third of a turn is the most that one straight edge can
 // stand for: its distance from an arc is then 0.29 of its length, and it still leads the way the arc does.
-inline constexpr double kMostTurning = 120;         // degrees, of a curve along an edge, of a side in a face
-inline constexpr double kMostDistance = 1.0 / 3;    // of the face's or edge's own size, or of the blocks behind it
+inline constexpr double kMostTurning = 120; // degrees, of a curve along an edge, of a side in a face
+inline constexpr double kMostDistance =
+    1.0 / 3; // of the face's or edge's own size, or of the blocks behind it
 // Of the domain's volume, between sides and faces, lost and gained alike: a ball of 32 blocks has 0.25.
 inline constexpr double kMostStrayed = 0.3;
 
@@ -18,8 +19,9 @@ inline constexpr double kMostStrayed = 0.3;
 struct SideFidelity {
   Index patch = kNone;
   double distance = 0; // the largest between faces and side, both ways, as a share of the local size
-  double turning = 0;  // degrees: the largest angle between normals of the side within what one face stands for
-  double strayed = 0;  // volume between the side and its faces, on either side of it
+  double turning =
+      0; // degrees: the largest angle between normals of the side within what one face stands for
+  double strayed = 0; // volume between the side and its faces, on either side of it
 };
 
 /// A mesh's face on a bent side.
@@ -52,12 +54,13 @@ struct SideMeasures {
 /// where that is shorter: through a thin wall a mesh has to follow its sides as closely as the wall is thin.
 double faceSize(const std::vector<Vec<3>> &positions, const std::array<Index, 4> &nodes, double column);
 
-/// Distances and turning between faces and sides. `samples`: points along each direction of a face, besides its
-/// rim.
+/// Distances and turning between faces and sides. `samples`: points along each direction of a face, besides
+/// its rim.
 SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vector<SideFace> &faces,
                           const std::vector<SideTriangle> &triangles, int samples);
 
-/// Degrees that a chain of points turns by, in all: jags of single segments do not count where there are many.
+/// Degrees that a chain of points turns by, in all: jags of single segments do not count where there are
+/// many.
 double turningOf(std::span<const Vec<3>> chain);
 
 /// The largest distance between a chain and the segment between its ends, as a share of that segment.

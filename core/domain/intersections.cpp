@@ -236,7 +236,8 @@ std::string describeIntersections(const std::string &facets, const std::vector<I
     text += ")";
   }
   if (found.size() <= kNamedPlaces) return text;
-  const std::string count = found.size() < kFoundPlaces ? std::to_string(found.size()) : "over " + std::to_string(kFoundPlaces);
+  const std::string count =
+      found.size() < kFoundPlaces ? std::to_string(found.size()) : "over " + std::to_string(kFoundPlaces);
   return text + ", and others: " + count + " pairs in all";
 }
 

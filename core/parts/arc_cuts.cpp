@@ -9,7 +9,7 @@ namespace dualblock {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMostLean = 70 * kDegree;   // of a side's normals from their mean: a half cylinder's do by 90
+constexpr double kMostLean = 70 * kDegree; // of a side's normals from their mean: a half cylinder's do by 90
 constexpr double kHollowLean = 30 * kDegree; // where hollow sides count
 constexpr double kNearMiddle = 37 * kDegree; // corners that are this near to the middle attract a cut
 constexpr double kMostTurn = 240 * kDegree;  // of a curve, whose halves get an edge each
@@ -138,8 +138,8 @@ Bends bendsOf(const PartView &v, const Chain &chain) {
 Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
   constexpr double kRound = 0.01; // of the radius
   const Vec<3> x = v.node(chain.nodes[place]);
-  Vec<3> normal = glm::normalize(x - v.node(chain.nodes[place - 1])) +
-                  glm::normalize(v.node(chain.nodes[place + 1]) - x);
+  Vec<3> normal =
+      glm::normalize(x - v.node(chain.nodes[place - 1])) + glm::normalize(v.node(chain.nodes[place + 1]) - x);
   if (Axis axis; axisOf(chain, v.mesh.nodes, v.axes, axis)) {
     const double radius = glm::length(x - axis.centre);
     const bool isArc = std::all_of(chain.nodes.begin(), chain.nodes.end(), [&](Index n) {
@@ -152,7 +152,8 @@ Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
 
 /// Across the curves that `wanted` accepts and that turn by more than `least`, half way of what they turn by;
 /// those that turn most first.
-template <typename Wanted> std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wanted) {
+template <typename Wanted>
+std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wanted) {
   std::vector<std::pair<double, Proposal>> ranked;
   for (const Curve<3> *curve : v.curves) {
     if (!wanted(*curve)) continue;

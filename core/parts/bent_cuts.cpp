@@ -11,7 +11,7 @@
 namespace dualblock {
 namespace {
 
-constexpr double kAlike = 1e-6; // of the domain's size: mirror images
+constexpr double kAlike = 1e-6;            // of the domain's size: mirror images
 constexpr std::size_t kProposalsAlone = 6; // of one part
 constexpr std::size_t kMostSpread = 8;     // parts that such a cut may add
 
@@ -283,7 +283,7 @@ bool carryOut(ReferenceMesh<3> &mesh, const PartView &v, const Proposal &proposa
 } // namespace
 
 CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
-                 const std::vector<bool> &gaveUp) {
+                      const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh, parts);
   for (const auto propose :
        {smoothing, simplifying, following, shaping}) { // all parts are simple before any is bettered
@@ -320,8 +320,8 @@ PartView viewOf(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index part,
 }
 
 Index notSimple(const Parts<3> &parts) {
-  return toIndex(static_cast<std::size_t>(std::count_if(
-      parts.parts.begin(), parts.parts.end(), [](const PartInfo &part) { return !part.simple; })));
+  return toIndex(static_cast<std::size_t>(std::count_if(parts.parts.begin(), parts.parts.end(),
+                                                        [](const PartInfo &part) { return !part.simple; })));
 }
 
 /// Halves a part by whichever of its proposals leaves the fewest blocks in all. A plane that leaves the part
@@ -356,8 +356,8 @@ bool halveAlone(ReferenceMesh<3> &mesh, Parts<3> &parts, Index part, const BentC
 Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
                  const BentCutOptions &options, int &triesLeft) {
   parts = buildParts(mesh, PartOptions{}); // as they are judged again below
-  // All at once where that serves: mostly it does. The parts are those of before; what has been split off their
-  // simplices since is found from them.
+  // All at once where that serves: mostly it does. The parts are those of before; what has been split off
+  // their simplices since is found from them.
   ReferenceMesh<3> uncut = mesh;
   Index cuts = 0;
   for (const Index part : which) {
@@ -377,11 +377,13 @@ Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Inde
   mesh = std::move(uncut);
   std::vector<Index> seeds;
   for (const Index part : which)
-    seeds.push_back(toIndex(static_cast<std::size_t>(
-        std::find(parts.partOfSimplex.begin(), parts.partOfSimplex.end(), part) - parts.partOfSimplex.begin())));
+    seeds.push_back(toIndex(
+        static_cast<std::size_t>(std::find(parts.partOfSimplex.begin(), parts.partOfSimplex.end(), part) -
+                                 parts.partOfSimplex.begin())));
   cuts = 0;
   for (const Index seed : seeds)
-    if (triesLeft > 0) cuts += halveAlone(mesh, parts, parts.partOfSimplex[at(seed)], options, triesLeft) ? 1 : 0;
+    if (triesLeft > 0)
+      cuts += halveAlone(mesh, parts, parts.partOfSimplex[at(seed)], options, triesLeft) ? 1 : 0;
   return cuts;
 }
 

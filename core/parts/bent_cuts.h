@@ -17,14 +17,14 @@ struct BentCutOptions : CutOptions {
 enum class CutReason : std::uint8_t { none, needed, shape };
 
 /// Looks for the first part that a bent side keeps from being simple, or whose blocks could not follow it, or
-/// one with a side that turns too far, and cuts it. Components that gave up are passed over. Returns why a cut
-/// was made, if one was.
+/// one with a side that turns too far, and cuts it. Components that gave up are passed over. Returns why a
+/// cut was made, if one was.
 CutReason cutBentPart(ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options,
                       const std::vector<bool> &gaveUp);
 
-/// Cuts each of some parts once more, where it turns most, as far as that leaves as many parts simple as were.
-/// `parts` are those of the mesh, before and afterwards. `triesLeft`: cuts of single parts that may still be
-/// tried, each of which is judged by all parts anew. Returns the number of cuts.
+/// Cuts each of some parts once more, where it turns most, as far as that leaves as many parts simple as
+/// were. `parts` are those of the mesh, before and afterwards. `triesLeft`: cuts of single parts that may
+/// still be tried, each of which is judged by all parts anew. Returns the number of cuts.
 Index halveParts(ReferenceMesh<3> &mesh, Parts<3> &parts, const std::vector<Index> &which,
                  const BentCutOptions &options, int &triesLeft);
 

@@ -71,12 +71,12 @@ std::optional<Proposal> throughCrease(const PartView &part, Index side);
 /// What would make a part's shape better: planes across sides that turn too far.
 std::vector<Proposal> shaping(const PartView &part);
 
-/// What a part needs for its blocks to follow it: planes square to curves that turn further than the two edges
-/// that stand for them may, the furthest first.
+/// What a part needs for its blocks to follow it: planes square to curves that turn further than the two
+/// edges that stand for them may, the furthest first.
 std::vector<Proposal> following(const PartView &part);
 
-/// What would halve a part whose blocks do not serve: across whichever of its curves and bent sides turns most,
-/// at nodes of the domain, so that in the end there is an edge for each of its facets.
+/// What would halve a part whose blocks do not serve: across whichever of its curves and bent sides turns
+/// most, at nodes of the domain, so that in the end there is an edge for each of its facets.
 std::vector<Proposal> halving(const PartView &part);
 
 /// Where a plane nearly holds or halves axes of the domain, or is square to one where another meets it, the

@@ -1,6 +1,6 @@
 // Domains and parts beside the project, judged by code that shares nothing with the core: whatever gets a
-// certificate has no overlap, no fold, and its volume. It takes minutes under the sanitizers, so it runs where
-// DUALBLOCK_SHARED is set.
+// certificate has no overlap, no fold, and its volume. It takes minutes under the sanitizers, so it runs
+// where DUALBLOCK_SHARED is set.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,7 +64,8 @@ TEST(SharedDomains, TheJudgeObjectsToNoMesh) {
   if (!std::getenv("DUALBLOCK_SHARED")) GTEST_SKIP() << "takes minutes: set DUALBLOCK_SHARED to run it";
   const std::vector<fs::path> files = domainFiles();
   if (files.empty()) GTEST_SKIP() << "there is no folder ../shared";
-  for (const fs::path &file : files) std::cout << file.filename().string() << ": " << verdictOn(file) << std::endl;
+  for (const fs::path &file : files)
+    std::cout << file.filename().string() << ": " << verdictOn(file) << std::endl;
 }
 
 } // namespace
