@@ -1,6 +1,6 @@
-// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and three things
-// do not follow from volumes and planes any more: that nodes lie on the surface, that the boundary does not
-// cross itself, and that it stays near the surface.
+// Of check 5, where sides are bent. The blocks' boundary then only approximates the domain's, and three
+// things do not follow from volumes and planes any more: that nodes lie on the surface, that the boundary
+// does not cross itself, and that it stays near the surface.
 #include <cmath>
 #include <limits>
 
@@ -152,8 +152,9 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
     certificate.fail(Check::features,
                      "block " + std::to_string(face.owner) + " strays from the bent side of facet " +
                          std::to_string(face.patch) +
-                         (fault.isTurning ? ", which turns by " + scientific(fault.value) + " degrees in its face"
-                                          : " by " + scientific(fault.value) + " of its size"),
+                         (fault.isTurning
+                              ? ", which turns by " + scientific(fault.value) + " degrees in its face"
+                              : " by " + scientific(fault.value) + " of its size"),
                      {{"block", face.owner}, {"facet", face.patch}});
   }
   certificate.fidelity.sides = std::move(measures.sides);

@@ -204,15 +204,12 @@ void checkSpans(const std::vector<Span> &spans, const std::array<Index, 2> &keys
     const std::string strays = turning > kMostTurning
                                    ? "turns by " + scientific(turning) + " degrees along it"
                                    : "is up to " + scientific(sag) + " of its length away";
-    certificate.fail(Check::features,
-                     "the edge between nodes " + std::to_string(span.nodes[0]) + " and " +
-                         std::to_string(span.nodes[1]) + " strays from the curve between facets " +
-                         std::to_string(keys[0] / 2) + " and " + std::to_string(keys[1] / 2) + ", which " +
-                         strays,
-                     {{"node", span.nodes[0]},
-                      {"node", span.nodes[1]},
-                      {"facet", keys[0] / 2},
-                      {"facet", keys[1] / 2}});
+    certificate.fail(
+        Check::features,
+        "the edge between nodes " + std::to_string(span.nodes[0]) + " and " + std::to_string(span.nodes[1]) +
+            " strays from the curve between facets " + std::to_string(keys[0] / 2) + " and " +
+            std::to_string(keys[1] / 2) + ", which " + strays,
+        {{"node", span.nodes[0]}, {"node", span.nodes[1]}, {"facet", keys[0] / 2}, {"facet", keys[1] / 2}});
   }
 }
 

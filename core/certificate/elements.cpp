@@ -22,7 +22,8 @@ public:
   using Cell = std::array<Index, 1 << N>;
   using Cycle = std::array<Index, 1 << (N - 1)>;
 
-  FaceTwins(const std::vector<Cell> &cells, std::size_t nodes) : cells_(cells), twin_(cells.size() * 2 * N, kNone) {
+  FaceTwins(const std::vector<Cell> &cells, std::size_t nodes)
+      : cells_(cells), twin_(cells.size() * 2 * N, kNone) {
     const Lists<Index> byNode = collectLists<Index>(nodes, [&](auto put) {
       for (Index f = 0; f < toIndex(twin_.size()); ++f) {
         const Cycle c = cycle(f);
@@ -56,7 +57,7 @@ private:
     sortItems(keyB);
     if (keyA != keyB) return;
     std::reverse(b.begin(), b.end()); // on opposite sides they run around in opposite directions
-    std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
+    if constexpr (N == 3) std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
     if (a != b || twin_[at(f)] != kNone || twin_[at(g)] != kNone) fault_ = fault_ == kNone ? f : fault_;
     twin_[at(f)] = g;
     twin_[at(g)] = f;
@@ -67,16 +68,17 @@ private:
   Index fault_ = kNone;
 };
 
-template <int N> void checkFaces(const ElementInput<N> &in, const FaceTwins<N> &twins, Certificate &certificate) {
+template <int N>
+void checkFaces(const ElementInput<N> &in, const FaceTwins<N> &twins, Certificate &certificate) {
   if (twins.fault() != kNone)
     certificate.fail(Check::topology, "elements do not lie on opposite sides of the face that they share",
                      {{"element", twins.fault() / (2 * N)}});
   Index outer = 0;
   for (Index f = 0; f < twins.count(); ++f) outer += twins[f] == kNone ? 1 : 0;
   if (outer != toIndex(in.refined.boundary.faces.size()))
-    certificate.fail(Check::topology,
-                     std::to_string(outer) + " faces belong to one element only, and " +
-                         std::to_string(in.refined.boundary.faces.size()) + " are handed out as the boundary");
+    certificate.fail(Check::topology, std::to_string(outer) + " faces belong to one element only, and " +
+                                          std::to_string(in.refined.boundary.faces.size()) +
+                                          " are handed out as the boundary");
 }
 
 template <int N> void checkMeasures(const ElementInput<N> &in, Certificate &certificate) {
@@ -165,8 +167,9 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
     certificate.fail(Check::features,
                      "element " + std::to_string(face.owner) + " strays from the bent side of facet " +
                          std::to_string(face.patch) +
-                         (fault.isTurning ? ", which turns by " + scientific(fault.value) + " degrees in its face"
-                                          : " by " + scientific(fault.value) + " of its size"),
+                         (fault.isTurning
+                              ? ", which turns by " + scientific(fault.value) + " degrees in its face"
+                              : " by " + scientific(fault.value) + " of its size"),
                      {{"element", face.owner}, {"facet", face.patch}});
   }
   for (const SideFidelity &side : measures.sides) {

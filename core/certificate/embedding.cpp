@@ -1,6 +1,7 @@
 #include "certificate/embedding.h"
 
 #include <cmath>
+#include <optional>
 
 #include "base/box_tree.h"
 #include "base/disjoint_sets.h"
@@ -196,14 +197,16 @@ private:
   bool isClear_ = true;
 };
 
-/// A ray that leaves a face outwards, unlike every other one that is tried.
-Ray rayFrom(const Quad &q, int attempt) {
-  const Vec<3> normal = glm::normalize(glm::cross(q[2] - q[0], q[3] - q[1]));
+/// A ray that leaves a face outwards, unlike every other one that is tried; none where that has no outside.
+std::optional<Ray> rayFrom(const Quad &q, int attempt) {
+  const Vec<3> across = glm::cross(q[2] - q[0], q[3] - q[1]);
+  if (!(glm::length(across) > 0)) return {};
+  const Vec<3> normal = glm::normalize(across);
   const double turn = 2.399963229728653 * (attempt + 1); // the golden angle
   const double lean = 0.15 + 0.6 * (attempt % 7) / 7;
   const Vec<3> aside =
       std::cos(turn) * glm::normalize(q[2] - q[0]) + std::sin(turn) * glm::normalize(q[3] - q[1]);
-  return {(q[0] + q[1] + q[2] + q[3]) / 4.0, normal + lean * aside};
+  return Ray((q[0] + q[1] + q[2] + q[3]) / 4.0, normal + lean * aside);
 }
 
 } // namespace
@@ -251,10 +254,11 @@ std::vector<WrongShell> wrongShells(const QuadSurface &surface) {
     WrongShell shell{byShell[begin].second, 0, false};
     for (int attempt = 0; attempt < kAttempts && !shell.isKnown; ++attempt) {
       const Index from = byShell[begin + static_cast<std::size_t>(attempt) % (end - begin)].second;
-      Ray ray = rayFrom(quadOf(surface, from), attempt);
-      tree.visit([&](const Box &box) { return box.meetsRay(ray.from(), ray.direction()); },
-                 [&](Index f) { ray.cross(quadOf(surface, f), f == from); });
-      shell = {from, ray.layers(), ray.isClear()};
+      std::optional<Ray> ray = rayFrom(quadOf(surface, from), attempt);
+      if (!ray) continue;
+      tree.visit([&](const Box &box) { return box.meetsRay(ray->from(), ray->direction()); },
+                 [&](Index f) { ray->cross(quadOf(surface, f), f == from); });
+      shell = {from, ray->layers(), ray->isClear()};
     }
     if (!shell.isKnown || shell.layers != 0) wrong.push_back(shell);
   }

@@ -105,9 +105,8 @@ private:
           if (i % (samples + 1) == 0 && j % (samples + 1) == 0) continue; // nodes lie on it: another check
           const Vec<3> x = pointOf(positions_, faces_[f].nodes, static_cast<double>(i) / (samples + 1),
                                    static_cast<double>(j) / (samples + 1));
-          const double square =
-              tree.nearest(x, std::numeric_limits<double>::infinity(),
-                           [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
+          const double square = tree.nearest(x, std::numeric_limits<double>::infinity(),
+                                             [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
           distance_[f] = std::max(distance_[f], std::sqrt(square) / faces_[f].size);
         }
   }
@@ -163,8 +162,8 @@ private:
       const Vec<3> unit = glm::normalize(across);
       for (int a = 0; a < n; ++a)
         for (int b = 0; a + b < n; ++b)
-          normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)].emplace_back(
-              unit, glm::length(across) / (n * n));
+          normals[nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap)].emplace_back(unit,
+                                                                              glm::length(across) / (n * n));
     }
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (normals[f].size() > 1) turning_[f] = spreadOf(normals[f]);
@@ -194,8 +193,7 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
   sortItems(order, [&](Index a, Index b) { return faces[at(a)].patch < faces[at(b)].patch; });
   for (std::size_t f = 0; f < order.size(); ++f) facesByPatch[f] = faces[at(order[f])];
   std::vector<SideTriangle> trianglesByPatch = triangles;
-  sortItems(trianglesByPatch,
-            [](const SideTriangle &a, const SideTriangle &b) { return a.patch < b.patch; });
+  sortItems(trianglesByPatch, [](const SideTriangle &a, const SideTriangle &b) { return a.patch < b.patch; });
   std::size_t firstTriangle = 0;
   for (std::size_t begin = 0, end = 0; begin < facesByPatch.size(); begin = end) {
     SideFidelity side{facesByPatch[begin].patch};
