@@ -13,6 +13,8 @@ namespace {
 constexpr int kHalvings = 6;          // of a pair of faces: to a sixty-fourth of their size
 constexpr Index kPairsOfFaces = 4000; // of pieces that are looked at before a pair counts as crossing
 
+constexpr double kBorder = 1e-7; // of a face: nearer to its rim a ray counts as unclear
+
 using Quad = std::array<Vec<3>, 4>;
 
 Quad quadOf(const QuadSurface &surface, Index face) {
@@ -90,7 +92,10 @@ private:
     }
     // What is thinner than the rounding of its own axis tells nothing.
     const double bound = overlap_ * length;
-    return (highP - lowQ <= bound && lowP < highQ - bound) || (highQ - lowP <= bound && lowQ < highP - bound);
+    const auto isBelow = [&](double lowA, double highA, double lowB, double highB) {
+      return highA - lowB <= bound && lowA < highB - bound;
+    };
+    return isBelow(lowP, highP, lowQ, highQ) || isBelow(lowQ, highQ, lowP, highP);
   }
 
   Quad p_, q_;
@@ -165,8 +170,6 @@ public:
   }
 
 private:
-  static constexpr double kBorder = 1e-7; // of a face: nearer to its rim the ray counts as unclear
-
   void look(const Quad &q, const Vec<2> &a, const Vec<2> &b, const Vec<2> &c, const Vec<2> &d, double u,
             bool isOwn, bool grazes) {
     if (!(u >= -kBorder && u <= 1 + kBorder)) return;
@@ -240,7 +243,10 @@ std::vector<WrongShell> wrongShells(const QuadSurface &surface) {
   std::vector<Box> boxes;
   DisjointSets shells(surface.positions.size());
   for (Index f = 0; f < toIndex(surface.faces.size()); ++f) {
-    boxes.push_back(boxOf(quadOf(surface, f)));
+    Box &box = boxes.emplace_back(boxOf(quadOf(surface, f)));
+    const Vec<3> border(kBorder * glm::length(box.high - box.low)); // rays along its rim meet it, too
+    box.low -= border;
+    box.high += border;
     for (const Index node : surface.faces[at(f)]) shells.unite(node, surface.faces[at(f)][0]);
   }
   const BoxTree tree(boxes);

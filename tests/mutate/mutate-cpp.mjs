@@ -4,8 +4,8 @@
 //   node tests/mutate/mutate-cpp.mjs <folder>
 //
 // Kinds: `mute`, a call of fail() is not made; `skip`, the body of an `if` is never run; `leave`, an `if` before a
-// return, continue or break always does it, so that what follows is not done; `keep`, such a return of a value is never
-// made; `widen`, a bound is a thousand times as large (or as small, where that is the wider one).
+// return, continue or break always does it, so that what follows is not done; `keep`, such a return of a value that is no
+// approval is never made; `widen`, a bound is a thousand times as large (or as small, where that is the wider one).
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -15,7 +15,9 @@ const folder = fileURLToPath(new URL('../../core/certificate/', import.meta.url)
 
 /** Bounds of which the smaller is the wider: named constants, and lines with others. */
 const kSmallerIsWider = [
-  /\b(kSamples|kPieces|kMostDivisions|kBorder)\b/, // more is looked at; more rays are unclear
+  /\b(kSamples|kPieces|kMostDivisions|kCrossings|kPairsOfFaces|kAttempts)\b/, // more is looked at
+  /\bkBorder\b|outward\) <= 1e-7/, // more rays are unclear
+  /<= error\) return -1/, // more is refused
   /!\(.* > (tolerance|1e-9 \* length)\)/, // has to be exceeded
 ];
 
@@ -52,10 +54,13 @@ export function mutantsOf(file, text, constants, first) {
     const inside = code.slice(open + 1, close);
     const begin = inside.includes(';') ? open + 1 + inside.indexOf(';') + 1 : open + 1;
     if (/^\s*(const )?[\w:<>]+ [*&]?\w+ = /.test(code.slice(begin, close))) continue; // a declaration by itself
-    const body = code.slice(close + 1).trimStart().replace(/^\{\s*/, '');
+    const body = code
+      .slice(close + 1)
+      .trimStart()
+      .replace(/^\{\s*/, '');
     const isExit = /^(return|continue|break)\b/.test(body);
     if (isExit) changes.wrap(begin, close, ` mutantIs(${add('leave', index)}) || (`, ')');
-    if (!isExit || /^return [^;]/.test(body))
+    if (!isExit || /^return (?!true;|1;)[^;]/.test(body))
       changes.wrap(begin, close, ` !mutantIs(${add(isExit ? 'keep' : 'skip', index)}) && (`, ')');
   }
 
@@ -74,6 +79,8 @@ export function mutantsOf(file, text, constants, first) {
   for (const match of code.matchAll(kBound)) {
     const before = code.slice(0, match.index).replace(/in\.$/, '');
     const isPart = match[0] === 'unit' ? /\d \* $/ : /([<>]=?|[-+*]) $/; // of a comparison, a sum or a product
+    // Ranges that are searched are no bounds: in wider ones the search only takes longer.
+    if (/^for \(|lower_bound/.test(lineAt(text, match.index).line)) continue;
     if (!isPart.test(before) || /Vec<\d> $/.test(before)) continue;
     widen(before.length, match.index + match[0].length);
   }
@@ -90,12 +97,16 @@ function main(target) {
   // Headers stay as they are, for others read them, too: their constants are widened wherever they are used.
   const constants = new Set();
   for (const file of files.filter((name) => name.endsWith('.h')))
-    for (const match of codeOnly(read(file)).matchAll(/constexpr double (k\w+) = [\d. /]+;/g)) constants.add(match[1]);
+    for (const match of codeOnly(read(file)).matchAll(/constexpr double (k\w+) = [\d. /]+;/g))
+      constants.add(match[1]);
   const all = [];
   for (const file of files.filter((name) => name.endsWith('.cpp'))) {
     const { mutants, text } = mutantsOf(file, read(file), constants, all.length + 1);
     all.push(...mutants);
-    writeFileSync(join(target, file), `#include "mutate/mutant.h"\n#line 1 "core/certificate/${file}"\n${text}`);
+    writeFileSync(
+      join(target, file),
+      `#include "mutate/mutant.h"\n#line 1 "core/certificate/${file}"\n${text}`,
+    );
   }
   writeFileSync(join(target, 'mutants.json'), `${JSON.stringify(named(all), null, 1)}\n`);
 }

@@ -41,7 +41,10 @@ export function mutantsOf(file, text, first) {
   for (const { index } of code.matchAll(/\bthrow (?=[\w.]+\()/g))
     changes.insert(index, `if (!(${add('mute', index)})) `);
   const number = '(?:[\\d._]+(?:e-?\\d+)?|Number\\.EPSILON)';
-  const definition = new RegExp(`^(?:export )?const \\w+ = (${number}(?: (?:\\*\\*?|/) -?${number})*);`, 'gm');
+  const definition = new RegExp(
+    `^(?:export )?const \\w+ = (${number}(?: (?:\\*\\*?|/) -?${number})*);`,
+    'gm',
+  );
   const isDefined = new Set();
   for (const match of code.matchAll(definition)) {
     const begin = match.index + match[0].length - 1 - match[1].length;
@@ -50,7 +53,8 @@ export function mutantsOf(file, text, first) {
   }
   for (const match of code.matchAll(/^(?:export )?const \w+(?:: \w+)? = \{(.*)\}(?: as const)?;/gm)) // objects of bounds
     for (const entry of match[1].matchAll(/\b\w+: ([\d.]+(?:e-\d+)?)(?=[, ])/g)) {
-      const begin = match.index + match[0].indexOf(match[1]) + entry.index + entry[0].length - entry[1].length;
+      const begin =
+        match.index + match[0].indexOf(match[1]) + entry.index + entry[0].length - entry[1].length;
       widen(begin, begin + entry[1].length);
       isDefined.add(lineAt(text, begin).number);
     }

@@ -36,7 +36,8 @@ async function judge({ name, mutants, run, workers = availableParallelism(), clo
   const work = async () => {
     for (let mutant = queue.shift(); mutant; mutant = queue.shift()) {
       const { passed, by, seconds } = await run(mutant);
-      if (values.verbose) console.log(`${mutant.id} ${passed ? 'SURVIVES' : by} ${seconds.toFixed(1)} s: ${mutant.name}`);
+      if (passed || values.verbose)
+        console.log(`${mutant.id} ${passed ? 'SURVIVES' : by} ${seconds.toFixed(1)} s: ${mutant.name}`);
       if (passed) survivors.push(mutant);
     }
   };
@@ -54,13 +55,19 @@ async function judge({ name, mutants, run, workers = availableParallelism(), clo
   const left = new Set(survivors.map((mutant) => mutant.name));
   const tried = new Set(chosen(mutants).map((mutant) => mutant.name));
   const names = new Set(mutants.map((mutant) => mutant.name));
-  for (const stale of Object.keys(known).filter((key) => !names.has(key) || (tried.has(key) && !left.has(key)))) {
-    console.log(`${names.has(stale) ? 'is noticed by now' : 'is no mutant any more'}, take out its reason: ${stale}`);
+  for (const stale of Object.keys(known).filter(
+    (key) => !names.has(key) || (tried.has(key) && !left.has(key)),
+  )) {
+    console.log(
+      `${names.has(stale) ? 'is noticed by now' : 'is no mutant any more'}, take out its reason: ${stale}`,
+    );
     isRight = false;
   }
   const score = (100 * (count - survivors.length)) / Math.max(count, 1);
   const seconds = ((Date.now() - begin) / 1000).toFixed(0);
-  console.log(`${name}: ${count - survivors.length} of ${count} mutants noticed, ${score.toFixed(1)} %, ${seconds} s`);
+  console.log(
+    `${name}: ${count - survivors.length} of ${count} mutants noticed, ${score.toFixed(1)} %, ${seconds} s`,
+  );
   return isRight && (values.sample !== undefined || values.only !== undefined || score >= kLeastScore);
 }
 

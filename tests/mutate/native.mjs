@@ -37,7 +37,11 @@ function runTests(program, mutant, limit) {
       clearTimeout(timer);
       const seconds = (Date.now() - begin) / 1000;
       const failed = /\[ {2}FAILED {2}\] ([\w/.]+)/.exec(output)?.[1];
-      resolve({ passed: code === 0, by: failed ?? (code === null ? 'takes too long' : `ends with ${code}`), seconds });
+      resolve({
+        passed: code === 0,
+        by: failed ?? (code === null ? 'takes too long' : `ends with ${code}`),
+        seconds,
+      });
     });
   });
 }

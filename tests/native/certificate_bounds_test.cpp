@@ -11,6 +11,12 @@ namespace {
 const std::vector<Vec<2>> kFlat{{1, 0}, {0, 0}};
 const std::vector<Vec<2>> kFlatInFour{{1, 0}, {0.75, 0}, {0.5, 0}, {0.25, 0}, {0, 0}};
 
+int countOf(const std::string &text, const std::string &words) {
+  int count = 0;
+  for (std::size_t k = text.find(words); k != std::string::npos; k = text.find(words, k + 1)) ++count;
+  return count;
+}
+
 double sizeOf(const BlockRow &row) { return row.result.mesh.size; }
 
 TEST(CertificateBounds, RowsAreValid) {
@@ -41,6 +47,13 @@ TEST(CertificateBounds, NodesOffTheirFacets) {
     EXPECT_FALSE(other.says("is off facet", moved));
     EXPECT_EQ(other.says("is off facet", 0.01 * moved), isWrong);
   }
+}
+
+// Vertices are looked up by their heights along a direction, and by distance where these agree.
+TEST(CertificateBounds, VerticesWithoutANodeAtTheirHeight) {
+  BlockRow row(kFlat, 1, 1);
+  row.blocks.positions[1] += 1e-8 * Vec<3>(0.7320508075688772, -1, 0);
+  EXPECT_TRUE(row.says("is no primal node"));
 }
 
 TEST(CertificateBounds, FacetsNotCovered) {
@@ -90,7 +103,9 @@ TEST(CertificateBounds, NodesAlongACurve) {
   EXPECT_FALSE(says([&](Nodes &x) { x[5].x = x[9].x + 3e-9 * size; }));
   for (const std::size_t end : {1U, 17U}) { // short of the vertex, or beyond it
     const double inwards = end == 1 ? -1 : 1;
-    EXPECT_TRUE(says([&](Nodes &x) { x[end].x += 3e-8 * inwards * size; })) << end;
+    BlockRow other = row; // the two other curves that end there lose it, too
+    other.blocks.positions[end].x += 3e-8 * inwards * size;
+    EXPECT_EQ(countOf(failuresOf(other.certificate()), "is no chain of primal edges"), 3) << end;
     EXPECT_FALSE(says([&](Nodes &x) { x[end].x += 0.3e-9 * inwards * size; })) << end;
   }
 }
@@ -123,6 +138,47 @@ TEST(CertificateBounds, VerticesThatTheDomainDoesNotHave) {
       if (other != kNone && std::find(used.begin(), used.end(), other) == used.end())
         std::replace(blocks.tags[0].begin(), blocks.tags[0].end(), used[0], other);
   EXPECT_NE(ofCurves(input).find("is no chain of primal edges"), std::string::npos);
+}
+
+/// A box with a pocket in the edge between its front and its top, which then meet twice.
+Domain<3> pocket() {
+  Domain<3> domain;
+  domain.name = "pocket";
+  domain.vertices = {{0, 0, 0},   {3, 0, 0},   {3, 2, 0},   {0, 2, 0},  {0, 0, 1}, {1, 0, 1},
+                     {1, 1, 1},   {2, 1, 1},   {2, 0, 1},   {3, 0, 1},  {3, 2, 1}, {0, 2, 1},
+                     {1, 0, 0.5}, {2, 0, 0.5}, {2, 1, 0.5}, {1, 1, 0.5}};
+  domain.facets = {{{{0, 3, 2, 1}}},
+                   {{{4, 5, 6, 7, 8, 9, 10, 11}}},
+                   {{{0, 1, 9, 8, 13, 12, 5, 4}}},
+                   {{{1, 2, 10, 9}}},
+                   {{{2, 3, 11, 10}}},
+                   {{{3, 0, 4, 11}}},
+                   {{{12, 13, 14, 15}}},
+                   {{{5, 12, 15, 6}}},
+                   {{{13, 8, 7, 14}}},
+                   {{{6, 15, 14, 7}}}};
+  return domain;
+}
+
+TEST(CertificateBounds, CurvesInTwoPieces) {
+  const PipelineResult<3> r = run(pocket());
+  ASSERT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+  const BlockMesh<3> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const BlockInput<3> input{r.domain.domain, r.features, r.featureNodes, r.mesh, blocks, 0};
+  std::vector<Crease> creases = findCreases(input, buildBlockComplex(input));
+  const auto said = [&] {
+    Certificate certificate;
+    checkCurves(input, creases, 1e-9, certificate);
+    return countOf(failuresOf(certificate), "is no chain of primal edges");
+  };
+  EXPECT_EQ(said(), 0);
+  std::erase_if(creases, [&](const Crease &c) { // all of one piece
+    const Vec<3> &a = blocks.positions[at(c.nodes[0])];
+    const Vec<3> &b = blocks.positions[at(c.nodes[1])];
+    return std::max({std::abs(a.y), std::abs(b.y), std::abs(a.z - 1), std::abs(b.z - 1)}) < 1e-9 &&
+           a.x + b.x < 3;
+  });
+  EXPECT_EQ(said(), 1);
 }
 
 // A curve's edge that turns by slightly less than the bound, and by slightly more.
@@ -168,7 +224,13 @@ TEST(CertificateBounds, FacesFarFromTheirSide) {
     EXPECT_EQ(row.certificate().valid, !isWrong);
   }
   // Two blocks behind one another are as thick as one.
-  EXPECT_FALSE(BlockRow(arcRoof(60, 8), 0.42, 1, {4}).says("of its size"));
+  BlockRow two(arcRoof(60, 8), 0.42, 1);
+  two.split();
+  EXPECT_TRUE(two.certificate().valid) << failuresOf(two.certificate());
+  // What is on the side by its tag alone is far from it.
+  BlockRow floor(arcRoof(60, 8), 0.42, 1);
+  floor.blocks.tags[0][2] = floor.blocks.tags[0][3];
+  EXPECT_TRUE(floor.says("of its size"));
 }
 
 TEST(CertificateBounds, VolumesFarApart) {
@@ -270,6 +332,20 @@ TEST(CertificateBounds, EdgesAcrossTheBeginningOfAClosedCurve) {
   }
 }
 
+// Two edges that go there and back are no closed curve.
+TEST(CertificateBounds, ClosedCurvesOfTwoEdges) {
+  const PipelineResult<3> r = run(revolved({{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 24));
+  const BlockMesh<3> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const BlockInput<3> input{r.domain.domain, r.features, r.featureNodes, r.mesh, blocks, 0};
+  const std::vector<Crease> creases = findCreases(input, buildBlockComplex(input));
+  Certificate whole;
+  checkCurves(input, creases, 1e-9, whole);
+  EXPECT_TRUE(whole.valid) << failuresOf(whole);
+  Certificate certificate;
+  checkCurves(input, {creases[0], creases[0]}, 1e-9, certificate);
+  EXPECT_EQ(countOf(failuresOf(certificate), "is no chain of primal edges"), 2) << failuresOf(certificate);
+}
+
 TEST(CertificateBounds, IdealBlocks) {
   Domain<2> domain; // 200 degrees at one vertex, 340 at another
   domain.vertices = {{0, 0}, {4, 0}, {4, 4}, {2, 3.3}, {0, 4}, {0, 2.1}, {3, 1.8}, {0, 1.5}};
@@ -321,6 +397,25 @@ template <int N> std::vector<std::size_t> twoThatShare(const std::string &name, 
 TEST(CertificateBounds, BlocksThatTouchOnly) {
   expectTopology<2>("square_2d", "not a closed manifold", twoThatShare<2>("square_2d", 1));
   expectTopology<3>("tapered_brick", "not a closed manifold", twoThatShare<3>("tapered_brick", 2));
+}
+
+// As many nodes, edges and faces, added with their signs, as the domain has; but in two pieces.
+TEST(CertificateBounds, AnotherRingBeside) {
+  const PipelineResult<3> r = run(loadExample<3>("square_ring"));
+  BlockMesh<3> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const Index nodes = blocks.nodeCount();
+  for (Index n = 0; n < nodes; ++n)
+    blocks.positions.push_back(blocks.positions[at(n)] + Vec<3>(10 * r.mesh.size, 0, 0));
+  for (Index b = 0, count = blocks.blockCount(); b < count; ++b) {
+    std::array<Index, 8> copy = blocks.blocks[at(b)];
+    for (Index &n : copy) n += nodes;
+    blocks.blocks.push_back(copy);
+    blocks.tags.push_back(std::array<Index, 6>(blocks.tags[at(b)]));
+  }
+  const BlockInput<3> input{r.domain.domain, r.features, r.featureNodes, r.mesh, blocks, 0};
+  Certificate certificate;
+  checkTopology(input, buildBlockComplex(input), certificate);
+  EXPECT_NE(failuresOf(certificate).find("2 component(s), 2 boundary component(s)"), std::string::npos);
 }
 
 } // namespace

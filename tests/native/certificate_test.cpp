@@ -122,6 +122,21 @@ TYPED_TEST(CertificateOf, MatchingSideThatIsNotFull) {
   });
 }
 
+TYPED_TEST(CertificateOf, MatchingSideTwiceOnTheBoundary) {
+  constexpr int N = TypeParam::value;
+  expectCaught<N>(Examples<N>::kReflex, Check::matching, "a side has two contributions", [](auto &r) {
+    auto &lists = r.contributions.ofSimplex;
+    for (Index s = 0; s < lists.count(); ++s) {
+      const auto &neighbors = r.mesh.neighbors[at(s)];
+      if (lists.size(s) == 0 || std::find(neighbors.begin(), neighbors.end(), kNone) == neighbors.end())
+        continue;
+      lists.items.insert(lists.items.begin() + lists.offsets[at(s)], Contribution(*lists.begin(s)));
+      for (std::size_t t = at(s) + 1; t < lists.offsets.size(); ++t) ++lists.offsets[t];
+      return;
+    }
+  });
+}
+
 TYPED_TEST(CertificateOf, CellsMergedIntoOne) {
   constexpr int N = TypeParam::value;
   expectCaught<N>(Examples<N>::kConvex, Check::cells, "not a ball", [](auto &r) {

@@ -168,7 +168,16 @@ TEST(ElementsOfBentSides, FarFromTheirSide) {
     EXPECT_EQ(failuresOf(r.certificate()).find("degrees in its face") != std::string::npos, isWrong);
   }
   // The block's thickness counts, not the element's, and that of all blocks up to the next facet.
-  EXPECT_TRUE(Refined<3>(BlockRow(arcRoof(60, 8), 0.42, 1, {4}), 3).certificate().valid);
+  EXPECT_TRUE(Refined<3>(BlockRow(arcRoof(60, 8), 0.42, 1), 3).certificate().valid);
+  BlockRow two(arcRoof(60, 8), 0.42, 1);
+  two.split();
+  EXPECT_TRUE(Refined<3>(two, 1).certificate().valid);
+  // What is on the side by its facet alone is far from it.
+  Refined<3> floor(BlockRow(arcRoof(60, 8), 0.42, 1), 1);
+  for (std::size_t f = 0; f < floor.mesh.boundary.faces.size(); ++f)
+    if (floor.patches[at(floor.mesh.boundary.facet[f])] == floor.bent.patchOfFace[0])
+      floor.mesh.boundary.facet.assign(floor.mesh.boundary.facet.size(), floor.mesh.boundary.facet[f]);
+  EXPECT_NE(failuresOf(floor.certificate()).find("of its size"), std::string::npos);
 }
 
 TEST(ElementsOfBentSides, BoundaryThatCrossesItself) {
@@ -210,6 +219,9 @@ TEST(ElementsOfBentSides, ElementsThatOverlap) {
   expectCaught<3>(r, Check::features, "there are elements already", [](auto &m) {
     addCopy(m, {0, 0, 0}, 0.5);
   });
+  Refined<3> overlapping = r; // of many pairs, the first eight
+  addCopy(overlapping, {0.5, 0.1, 0.1}, 1);
+  EXPECT_EQ(overlapping.certificate(true).culprits.size(), 16U);
   // Side by side by more than a rounding.
   const auto says = [&](double gap, const std::string &words) {
     Refined<3> two = r;

@@ -1,6 +1,7 @@
 // Surfaces that are embedded, and some that are not: crossings, folds, shells inside of one another.
 #include "certificate/embedding.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -192,6 +193,32 @@ TEST(Embedding, ManySmallShells) {
   const auto wrong = wrongShells(grid.view());
   ASSERT_EQ(wrong.size(), 1U);
   EXPECT_GE(at(wrong[0].face), before);
+}
+
+// Small faces that meet at a corner are apart by planes of a margin's width.
+TEST(Embedding, FacesHardlyLargerThanTheMargin) {
+  EXPECT_EQ(Surface{}
+                .add({{{0, 0, 0}, {1e-4, 0, 0}, {1e-4, 1e-4, 0}, {0, 1e-4, 0}}})
+                .add({{{0, 0, 0}, {-1e-4, 0, 0}, {-1e-4, -1e-4, 0}, {0, -1e-4, 0}}})
+                .crossings(1e-6),
+            0U);
+}
+
+// The first ray from the first face of a cube, whose direction is known, runs into an edge of another box.
+TEST(Embedding, ARayThatMeetsAnEdgeDoesNotCount) {
+  Surface surface;
+  surface.addBox({0, 0, 0}, {1, 1, 1});
+  std::rotate(surface.faces.begin(), surface.faces.end() - 1, surface.faces.end()); // the upper one first
+  const double turn = 2.399963229728653;
+  const Vec<3> along = glm::normalize(Vec<3>(1, 1, 0));
+  const Vec<3> across = glm::normalize(Vec<3>(-1, 1, 0));
+  const Vec<3> direction = Vec<3>(0, 0, 1) + 0.15 * (std::cos(turn) * along + std::sin(turn) * across);
+  const Vec<3> met = Vec<3>(0.5, 0.5, 1) + direction;
+  // The lower edge on that side from which the ray comes.
+  const double width = direction.x > 0 ? 1 : -1;
+  surface.addBox({std::min(met.x, met.x + width), met.y - 3, met.z},
+                 {std::max(met.x, met.x + width), met.y + 3, met.z + 1});
+  EXPECT_TRUE(wrongShells(surface.view()).empty());
 }
 
 // A face without area tells nothing, whatever is around it.

@@ -55,6 +55,21 @@ struct BlockRow {
     }
   }
 
+  /// Divides the only block into a lower and an upper one.
+  void split() {
+    std::array<Index, 8> lower = blocks.blocks[0];
+    std::array<Index, 8> upper = lower;
+    for (const auto &[low, high] : {std::pair{0U, 3U}, {1U, 2U}, {4U, 7U}, {5U, 6U}}) {
+      blocks.positions.push_back((blocks.positions[at(lower[low])] + blocks.positions[at(lower[high])]) /
+                                 2.0);
+      lower[high] = upper[low] = toIndex(blocks.positions.size()) - 1;
+    }
+    blocks.blocks.clear();
+    blocks.tags.clear();
+    for (const auto &nodes : {lower, upper}) addBlock(nodes);
+    blocks.tags[0][3] = blocks.tags[1][2] = kNone;
+  }
+
   void addBlock(std::array<Index, 8> nodes) {
     blocks.blocks.push_back(nodes);
     blocks.surfaces.push_back({0, 1, 2});
