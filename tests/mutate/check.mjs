@@ -9,7 +9,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 /** Tests that need no core, those that find most in least time first: the next ones are run if these find nothing. */
 const kGroups = [
   ['refused', 'mesh', 'regions', 'solid'],
-  ['curved', 'overlap', 'fidelity'],
+  ['bounds', 'curved', 'overlap', 'fidelity'],
   ['exact', 'kept'],
 ].map((group) => group.map((name) => `tests/node/check-${name}.test.ts`));
 

@@ -13,7 +13,10 @@ const folder = fileURLToPath(new URL('../../wasm/check/', import.meta.url));
 
 /** Bounds of which the smaller is the wider: what rounding may do, how much is looked at, and what counts as a turn. */
 const kSmallerIsWider =
-  /\bk(Rounding = 64|Sure|Doubt|OnPlane|InPlane|MostPlaces|Voters|MostFaces|MostPairs|NewtonSteps)\b/;
+  /\b(kRounding = 64|kSmallest =|kSure|kDoubt|kOnPlane|kInPlane|kMostPlaces|kVoters|kMostFaces|kMostPairs|kNewtonSteps|kDeepest|deepest\w*|kMostBoxes|kMostCrossings)\b/;
+
+/** Not bounds: how trees are divided, for speed; and where an iteration has converged, on lines that break. */
+const kNoBounds = /\bkLeaf\b|\bbreak;/;
 
 function filesFrom(file, found = new Set()) {
   if (found.has(file)) return found;
@@ -33,6 +36,7 @@ export function mutantsOf(file, text, first) {
     return `globalThis.dualblockMutant === ${first + mutants.length - 1}`;
   };
   const widen = (begin, end) => {
+    if (kNoBounds.test(lineAt(text, begin).line)) return;
     const factor = kSmallerIsWider.test(lineAt(text, begin).line) ? '0.001' : '1000';
     changes.wrap(begin, end, `((${add('widen', begin)} ? ${factor} : 1) * (`, '))');
   };
