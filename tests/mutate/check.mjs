@@ -8,8 +8,8 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Tests that need no core, those that find most in least time first: the next ones are run if these find nothing. */
 const kGroups = [
-  ['refused', 'mesh', 'regions', 'solid'],
-  ['bounds', 'curved', 'overlap', 'fidelity'],
+  ['refused', 'mesh', 'regions', 'solid', 'bounds'],
+  ['curved', 'overlap', 'fidelity'],
   ['exact', 'kept'],
 ].map((group) => group.map((name) => `tests/node/check-${name}.test.ts`));
 

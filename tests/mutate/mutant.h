@@ -18,7 +18,8 @@ inline bool mutantIs(int mutant) {
 /// Whole numbers are rounded down, and those that would be too large stay within their type.
 template <typename T> T widened(int mutant, double factor, T bound) {
   if (!mutantIs(mutant)) return bound;
-  if constexpr (std::is_integral_v<T>) return static_cast<T>(static_cast<long long>(static_cast<double>(bound) * factor));
+  if constexpr (std::is_integral_v<T>)
+    return static_cast<T>(static_cast<long long>(static_cast<double>(bound) * factor));
   else return bound * factor;
 }
 

@@ -2,10 +2,11 @@
 import { describe, expect, it } from 'vitest';
 import { distanceToQuad, pointOn, type Quad } from '../../wasm/check/bilinear.ts';
 import { isSurelyPositive } from '../../wasm/check/jacobian.ts';
+import { planarSlack } from '../../wasm/check/patches.ts';
 import { distance, type Vector } from '../../wasm/check/vector.ts';
 import { cells, grid, kCorners, randomNumbers } from './support/block-meshes.ts';
-import { failed, messages, solid } from './support/check-domains.ts';
-import { box } from './support/solids.ts';
+import { check, failed, messages, solid } from './support/check-domains.ts';
+import { box, prism } from './support/solids.ts';
 import { tube } from './support/tube.ts';
 
 describe('distances from warped faces', () => {
@@ -62,6 +63,11 @@ describe('volumes', () => {
 });
 
 describe('planes', () => {
+  it('are a little wider where they hardly turn', () => {
+    expect(planarSlack(1e-3, 1e-3)).toBe(1e-3);
+    expect(planarSlack(1e-3, 0.2)).toBe(2e-3);
+    expect(planarSlack(1e-3, 10)).toBe(4e-3);
+  });
   it('are what facets make by default, to a millionth of the size', () => {
     const { points, facets } = box([0, 0, 0], [1, 1, 1]);
     const bent = points.map((x) => (x.every((t) => t === 1) ? [1, 1, 1 + 1e-4] : x));
@@ -78,6 +84,42 @@ describe('planes', () => {
 });
 
 describe('surfaces', () => {
+  const roof = solid(
+    prism(
+      [
+        [0, 0],
+        [4, 0],
+        [4, 1],
+        [2, 1.4],
+        [0, 1],
+      ],
+      0,
+      9,
+    ),
+  );
+
+  // Faces at both ends and in the middle, where the corners and the centre of each slope are.
+  it('are looked at between the corners and the centre of their patches', () => {
+    const lows = [0, 4, 8].flatMap((z) => [0, 1].map((x) => [x, 0, z]));
+    const mesh = cells(lows, ([i = 0, j = 0, z = 0]) => [2 * i, j === 1 && i === 1 ? 1.4 : j, z]);
+    const { failures } = check(mesh, roof, { featureAngle: 25 }).findings;
+    expect(failures.map(({ message }) => message).join('\n')).toMatch(
+      /the face of nodes .* are 0.\d+ of its size apart at \(.*, [236][.\d]*\)/,
+    );
+  });
+  // A slope that is cut off before the eaves, by faces that lie on nothing.
+  it('with an edge that no edge of the mesh follows', () => {
+    const [x, top] = [
+      [0, 2, 3, 4],
+      [1, 1.4, 1.2, 0.5],
+    ];
+    const mesh = cells(grid(3, 1, 1), ([i = 0, j = 0, z = 0]) => [x?.[i] ?? 0, j * (top?.[i] ?? 0), 9 * z]);
+    const { failures } = check(mesh, roof, { featureAngle: 25 }).findings;
+    expect(failures.map(({ message }) => message).join('\n')).toMatch(
+      /no edge of the mesh follows the curve at \(4, 1,/,
+    );
+  });
+
   it('that no face of the mesh stands for', () => {
     const full = cells(grid(2, 2, 1), ([i = 0, j = 0, z = 0]) => {
       const radius = Math.hypot(i - 1, j - 1) || 1;
