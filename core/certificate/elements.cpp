@@ -57,7 +57,7 @@ private:
     sortItems(keyB);
     if (keyA != keyB) return;
     std::reverse(b.begin(), b.end()); // on opposite sides they run around in opposite directions
-    std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
+    if constexpr (N == 3) std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
     if (a != b || twin_[at(f)] != kNone || twin_[at(g)] != kNone) fault_ = fault_ == kNone ? f : fault_;
     twin_[at(f)] = g;
     twin_[at(g)] = f;

@@ -1,6 +1,7 @@
 #include "certificate/embedding.h"
 
 #include <cmath>
+#include <optional>
 
 #include "base/box_tree.h"
 #include "base/disjoint_sets.h"
@@ -11,6 +12,8 @@ namespace {
 
 constexpr int kHalvings = 6;          // of a pair of faces: to a sixty-fourth of their size
 constexpr Index kPairsOfFaces = 4000; // of pieces that are looked at before a pair counts as crossing
+
+constexpr double kBorder = 1e-7; // of a face: nearer to its rim a ray counts as unclear
 
 using Quad = std::array<Vec<3>, 4>;
 
@@ -89,7 +92,10 @@ private:
     }
     // What is thinner than the rounding of its own axis tells nothing.
     const double bound = overlap_ * length;
-    return (highP - lowQ <= bound && lowP < highQ - bound) || (highQ - lowP <= bound && lowQ < highP - bound);
+    const auto isBelow = [&](double lowA, double highA, double lowB, double highB) {
+      return highA - lowB <= bound && lowA < highB - bound;
+    };
+    return isBelow(lowP, highP, lowQ, highQ) || isBelow(lowQ, highQ, lowP, highP);
   }
 
   Quad p_, q_;
@@ -164,8 +170,6 @@ public:
   }
 
 private:
-  static constexpr double kBorder = 1e-7; // of a face: nearer to its rim the ray counts as unclear
-
   void look(const Quad &q, const Vec<2> &a, const Vec<2> &b, const Vec<2> &c, const Vec<2> &d, double u,
             bool isOwn, bool grazes) {
     if (!(u >= -kBorder && u <= 1 + kBorder)) return;
@@ -196,14 +200,16 @@ private:
   bool isClear_ = true;
 };
 
-/// A ray that leaves a face outwards, unlike every other one that is tried.
-Ray rayFrom(const Quad &q, int attempt) {
-  const Vec<3> normal = glm::normalize(glm::cross(q[2] - q[0], q[3] - q[1]));
+/// A ray that leaves a face outwards, unlike every other one that is tried; none where that has no outside.
+std::optional<Ray> rayFrom(const Quad &q, int attempt) {
+  const Vec<3> across = glm::cross(q[2] - q[0], q[3] - q[1]);
+  if (!(glm::length(across) > 0)) return {};
+  const Vec<3> normal = glm::normalize(across);
   const double turn = 2.399963229728653 * (attempt + 1); // the golden angle
   const double lean = 0.15 + 0.6 * (attempt % 7) / 7;
   const Vec<3> aside =
       std::cos(turn) * glm::normalize(q[2] - q[0]) + std::sin(turn) * glm::normalize(q[3] - q[1]);
-  return {(q[0] + q[1] + q[2] + q[3]) / 4.0, normal + lean * aside};
+  return Ray((q[0] + q[1] + q[2] + q[3]) / 4.0, normal + lean * aside);
 }
 
 } // namespace
@@ -237,7 +243,10 @@ std::vector<WrongShell> wrongShells(const QuadSurface &surface) {
   std::vector<Box> boxes;
   DisjointSets shells(surface.positions.size());
   for (Index f = 0; f < toIndex(surface.faces.size()); ++f) {
-    boxes.push_back(boxOf(quadOf(surface, f)));
+    Box &box = boxes.emplace_back(boxOf(quadOf(surface, f)));
+    const Vec<3> border(kBorder * glm::length(box.high - box.low)); // rays along its rim meet it, too
+    box.low -= border;
+    box.high += border;
     for (const Index node : surface.faces[at(f)]) shells.unite(node, surface.faces[at(f)][0]);
   }
   const BoxTree tree(boxes);
@@ -251,10 +260,11 @@ std::vector<WrongShell> wrongShells(const QuadSurface &surface) {
     WrongShell shell{byShell[begin].second, 0, false};
     for (int attempt = 0; attempt < kAttempts && !shell.isKnown; ++attempt) {
       const Index from = byShell[begin + static_cast<std::size_t>(attempt) % (end - begin)].second;
-      Ray ray = rayFrom(quadOf(surface, from), attempt);
-      tree.visit([&](const Box &box) { return box.meetsRay(ray.from(), ray.direction()); },
-                 [&](Index f) { ray.cross(quadOf(surface, f), f == from); });
-      shell = {from, ray.layers(), ray.isClear()};
+      std::optional<Ray> ray = rayFrom(quadOf(surface, from), attempt);
+      if (!ray) continue;
+      tree.visit([&](const Box &box) { return box.meetsRay(ray->from(), ray->direction()); },
+                 [&](Index f) { ray->cross(quadOf(surface, f), f == from); });
+      shell = {from, ray->layers(), ray->isClear()};
     }
     if (!shell.isKnown || shell.layers != 0) wrong.push_back(shell);
   }

@@ -208,6 +208,23 @@ TYPED_TEST(Jacobian, KnownBlocks) {
   EXPECT_LE(jacobianSign<N>(far, ratio), 0);
 }
 
+// Within what rounding may make of the determinant nothing is claimed, and beyond it is.
+TYPED_TEST(Jacobian, RoundingFarFromTheOrigin) {
+  constexpr int N = TypeParam::value;
+  std::mt19937 random(1);
+  const Corners<N> unit = randomBlock<N>(random, 0);
+  for (const auto &[size, sign] : {std::pair{0x1p-30, -1}, {0x1p-23, 1}}) { // the limit: 2^-26 at 2^20
+    Corners<N> far = unit;
+    for (Vec<N> &x : far) {
+      x *= size;
+      x += Vec<N>(0x1p20);
+    }
+    double ratio = 0;
+    EXPECT_EQ(jacobianSign<N>(far, ratio), sign) << size;
+    EXPECT_EQ(ratio, 1);
+  }
+}
+
 // The measure is the integral: against Simpson's rule, which is exact for degree 2 per axis.
 TYPED_TEST(Jacobian, MeasureIsTheIntegral) {
   constexpr int N = TypeParam::value;
