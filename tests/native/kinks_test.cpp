@@ -97,8 +97,9 @@ TEST(Kinks, PartsThatAreSimpleStaySimple) {
     const auto r = run(dome(polygon({0.525, 3.187, 3.817}), bulge, 11));
     EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
     fallbacks += r.fallbackComponents;
-    if (r.fallbackComponents == 0) // simplices give over a thousand
+    if (r.fallbackComponents == 0) { // simplices give over a thousand
       EXPECT_LT(r.primal.blocks.size(), 200U);
+    }
   }
   // Blocks of one of them stray by more than the dome is thick there, and halving does not cure that yet.
   EXPECT_LE(fallbacks, 1);
