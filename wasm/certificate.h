@@ -11,6 +11,7 @@ inline constexpr const char *kCheckNames[] = {"matching", "cells", "topology", "
 inline val fidelityToJs(const Fidelity &fidelity) {
   val f = val::object();
   f.set("largestDistance", fidelity.largestDistance);
+  f.set("largestDepth", fidelity.largestDepth);
   f.set("largestTurning", fidelity.largestTurning);
   f.set("volumeDifference", fidelity.volumeDifference);
   f.set("strayedVolume", fidelity.strayed);
@@ -19,6 +20,7 @@ inline val fidelityToJs(const Fidelity &fidelity) {
     val s = val::object();
     s.set("facet", side.patch);
     s.set("distance", side.distance);
+    s.set("depth", side.depth);
     s.set("turning", side.turning);
     sides.call<void>("push", s);
   }

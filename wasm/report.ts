@@ -266,7 +266,8 @@ function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate,
   if (isExact) return '';
   const off = 100 * fidelity.volumeDifference;
   const than = `${Math.abs(off).toFixed(off * off < 0.01 ? 2 : 1)} % ${off < 0 ? 'less' : 'more'} than the domain`;
-  const distance = `${(100 * fidelity.largestDistance).toFixed(0)} % of their size`;
+  const percent = (share: number) => `${(100 * share).toFixed(0)} %`;
+  const distance = `${percent(fidelity.largestDistance)} of their size (${percent(fidelity.largestDepth)} of the thickness there)`;
   return `  ${bentSides} bent side(s): straight ${what} hold ${than}, stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
 }
 

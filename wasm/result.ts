@@ -37,8 +37,10 @@ export interface Certificate extends Record<Check, boolean | null> {
 
 /** How near a mesh comes to a domain with bent sides; zeros where it is the domain. */
 export interface Fidelity {
-  /** The largest distance between a face and its side, or an edge and its curve, as a share of the local size. */
+  /** The largest distance between a face and its side, or an edge and its curve, as a share of the face's or edge's size. */
   largestDistance: number;
+  /** The largest distance between a face and its side as a share of how thick the mesh is behind the face. */
+  largestDepth: number;
   /** Degrees: the most that a side turns by in a face, or a curve along an edge. */
   largestTurning: number;
   /** Of the mesh's volume from the domain's, as a share of that. */
@@ -46,7 +48,7 @@ export interface Fidelity {
   /** Between bent sides and faces, lost and gained alike, as a share of the same. */
   strayedVolume: number;
   /** The bent sides, each by one of its facets. */
-  sides: { facet: number; distance: number; turning: number }[];
+  sides: { facet: number; distance: number; depth: number; turning: number }[];
 }
 
 export interface RunResult {

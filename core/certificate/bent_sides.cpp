@@ -132,8 +132,7 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
   std::vector<SideFace> faces;
   for (const BlockFace<3> &face : complex.faces)
     if (isBentTag(face.tag))
-      faces.push_back({face.cycle, patchOf(face.tag), face.block,
-                       faceSize(in.blocks.positions, face.cycle, columnBehind(in, complex, face))});
+      faces.push_back({face.cycle, patchOf(face.tag), face.block, columnBehind(in, complex, face)});
   std::vector<SideTriangle> triangles;
   for (Index s = 0; s < in.mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
@@ -151,15 +150,14 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
     const SideFace &face = faces[at(fault.face)];
     certificate.fail(Check::features,
                      "block " + std::to_string(face.owner) + " strays from the bent side of facet " +
-                         std::to_string(face.patch) +
-                         (fault.isTurning
-                              ? ", which turns by " + scientific(fault.value) + " degrees in its face"
-                              : " by " + scientific(fault.value) + " of its size"),
+                         std::to_string(face.patch) + (fault.kind == Fault::turning ? ", " : " ") +
+                         describe(fault),
                      {{"block", face.owner}, {"facet", face.patch}});
   }
   for (const SideFidelity &side : measures.sides) certificate.fidelity.strayed += side.strayed;
   for (const Index f : measures.furthest) // to be cut further where that is too much
     certificate.fidelity.furthest.push_back({"block", faces[at(f)].owner});
+  for (const Index f : measures.coarse) certificate.fidelity.coarse.push_back({"block", faces[at(f)].owner});
   certificate.fidelity.sides = std::move(measures.sides);
 }
 

@@ -52,6 +52,7 @@ void summarizeFidelity(const Certificate &geometry, Certificate &features) {
   Fidelity &fidelity = features.fidelity;
   for (const SideFidelity &side : fidelity.sides) {
     fidelity.largestDistance = std::max(fidelity.largestDistance, side.distance);
+    fidelity.largestDepth = std::max(fidelity.largestDepth, side.depth);
     fidelity.largestTurning = std::max(fidelity.largestTurning, side.turning);
   }
   fidelity.strayed /= geometry.domainMeasure;

@@ -26,11 +26,13 @@ struct FeatureCount {
 
 /// How near the blocks come to a domain with bent sides; zeros where they are the domain.
 struct Fidelity {
-  double largestDistance = 0;  // between bent sides and faces, curves and edges: a share of the local size
+  double largestDistance = 0;  // between bent sides and faces, curves and edges: a share of their size
+  double largestDepth = 0;     // between sides and faces: a share of how thick the blocks behind are
   double largestTurning = 0;   // degrees, of a side in a face, or of a curve along an edge
   double volumeDifference = 0; // of the blocks' volume from the domain's, as a share of that
   double strayed = 0;          // volume between bent sides and faces, lost or gained, as a share of the same
-  std::vector<EntityRef> furthest; // blocks, or elements, that most of it lies beside
+  std::vector<EntityRef> furthest; // blocks that most of it lies beside
+  std::vector<EntityRef> coarse;   // blocks that are further from a side than is aimed at: see kAimedDepth
   std::vector<SideFidelity> sides; // the bent ones
 };
 

@@ -155,7 +155,7 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
           tag != kNone && patchOf(FaceTag::surface(tag)) == patch)
         column = std::min(column, columns[at(6 * block + local)]);
     const auto &nodes = in.refined.boundary.faces[f];
-    faces.push_back({nodes, patch, element, faceSize(in.refined.positions, nodes, column)});
+    faces.push_back({nodes, patch, element, column});
   }
   std::vector<SideTriangle> triangles;
   for (std::size_t t = 0; t < in.bent.faces.size(); ++t)
@@ -166,14 +166,13 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
     if (in.mayStayStraight) break;
     certificate.fail(Check::features,
                      "element " + std::to_string(face.owner) + " strays from the bent side of facet " +
-                         std::to_string(face.patch) +
-                         (fault.isTurning
-                              ? ", which turns by " + scientific(fault.value) + " degrees in its face"
-                              : " by " + scientific(fault.value) + " of its size"),
+                         std::to_string(face.patch) + (fault.kind == Fault::turning ? ", " : " ") +
+                         describe(fault),
                      {{"element", face.owner}, {"facet", face.patch}});
   }
   for (const SideFidelity &side : measures.sides) {
     certificate.fidelity.largestDistance = std::max(certificate.fidelity.largestDistance, side.distance);
+    certificate.fidelity.largestDepth = std::max(certificate.fidelity.largestDepth, side.depth);
     certificate.fidelity.largestTurning = std::max(certificate.fidelity.largestTurning, side.turning);
     certificate.fidelity.strayed += side.strayed / certificate.domainMeasure;
   }

@@ -6,6 +6,7 @@
 
 #include "base/box_tree.h"
 #include "base/sort.h"
+#include "certificate/checks.h"
 
 namespace dualblock {
 namespace {
@@ -85,7 +86,8 @@ public:
             std::span<const SideTriangle> triangles)
       : positions_(positions), faces_(faces), triangles_(triangles), distance_(faces.size(), 0),
         turning_(faces.size(), 0), strayed_(faces.size(), 0) {
-    for (const SideFace &face : faces) meanSize_ += face.size / static_cast<double>(faces.size());
+    for (const SideFace &face : faces)
+      meanSize_ += std::min(faceSize(positions, face.nodes), face.column) / static_cast<double>(faces.size());
   }
 
   void measure(int samples) {
@@ -93,7 +95,10 @@ public:
     fromTriangles();
   }
 
-  double distance(std::size_t face) const { return distance_[face]; }
+  double distance(std::size_t face) const {
+    return distance_[face] / faceSize(positions_, faces_[face].nodes);
+  }
+  double depth(std::size_t face) const { return distance_[face] / faces_[face].column; }
   double turning(std::size_t face) const { return turning_[face]; }
   /// The volume between the face and its side: half of what the one is off the other, from either.
   double strayed(std::size_t face) const { return strayed_[face]; }
@@ -117,7 +122,7 @@ private:
                                    static_cast<double>(j) / (samples + 1));
           const double square = tree.nearest(x, std::numeric_limits<double>::infinity(),
                                              [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
-          distance_[f] = std::max(distance_[f], std::sqrt(square) / faces_[f].size);
+          distance_[f] = std::max(distance_[f], std::sqrt(square));
           if (i % (samples + 1) != 0 && j % (samples + 1) != 0)
             strayed_[f] += std::sqrt(square) * areaOf(faces_[f].nodes) / (2.0 * samples * samples);
         }
@@ -186,7 +191,7 @@ private:
     samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
     for (const auto &[a, b, c] : samples) {
       const std::size_t f = nearestFace({a, b, c}, gap);
-      distance_[f] = std::max(distance_[f], gap / faces_[f].size);
+      distance_[f] = std::max(distance_[f], gap);
     }
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (normals[f].size() > 1) turning_[f] = spreadOf(normals[f]);
@@ -201,10 +206,19 @@ private:
 
 } // namespace
 
-double faceSize(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q, double column) {
+double faceSize(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q) {
   const double u = glm::length(pointOf(x, q, 1, 0.5) - pointOf(x, q, 0, 0.5));
   const double v = glm::length(pointOf(x, q, 0.5, 1) - pointOf(x, q, 0.5, 0));
-  return std::min(std::max(u, v), column);
+  return std::max(u, v);
+}
+
+std::string describe(const FaceFault &fault) {
+  switch (fault.kind) {
+  case Fault::distance: return "by " + scientific(fault.value) + " of its face's size";
+  case Fault::depth: return "by " + scientific(fault.value) + " of the thickness there";
+  case Fault::turning: break;
+  }
+  return "which turns by " + scientific(fault.value) + " degrees in its face";
 }
 
 SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vector<SideFace> &faces,
@@ -234,13 +248,17 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
     meter.measure(samples);
     for (std::size_t f = begin; f < end; ++f) {
       const double distance = meter.distance(f - begin);
+      const double depth = meter.depth(f - begin);
       const double turning = meter.turning(f - begin);
       side.distance = std::max(side.distance, distance);
+      side.depth = std::max(side.depth, depth);
       side.turning = std::max(side.turning, turning);
       strayed[at(order[f])] = meter.strayed(f - begin);
       side.strayed += meter.strayed(f - begin);
-      if (!(distance <= kMostDistance)) measures.faults.push_back({order[f], distance, false});
-      if (turning > kMostTurning) measures.faults.push_back({order[f], turning, true});
+      if (!(distance <= kMostDistance)) measures.faults.push_back({order[f], distance, Fault::distance});
+      if (!(depth <= kMostDepth)) measures.faults.push_back({order[f], depth, Fault::depth});
+      if (turning > kMostTurning) measures.faults.push_back({order[f], turning, Fault::turning});
+      if (!(depth <= kAimedDepth)) measures.coarse.push_back(order[f]);
     }
     measures.sides.push_back(side);
   }
@@ -250,6 +268,7 @@ SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vecto
       if (strayed[f] > most / 2) measures.furthest.push_back(toIndex(f));
   }
   sortItems(measures.faults, [](const FaceFault &a, const FaceFault &b) { return a.face < b.face; });
+  sortItems(measures.coarse);
   return measures;
 }
 

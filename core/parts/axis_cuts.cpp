@@ -6,6 +6,29 @@
 #include "parts/bent_proposals.h"
 
 namespace dualblock {
+namespace {
+
+/// Tells planes through the axis that divide a chain along or across its length: of a circle's all do. Others
+/// would leave parts that are skew.
+auto principalPlanes(const PartView &v, const Chain &chain, const Axis &axis) {
+  constexpr double kSkew = 0.01;                                        // of the second moments
+  std::array<Vec<3>, 3> moments{Vec<3>(0.0), Vec<3>(0.0), Vec<3>(0.0)}; // by rows
+  double sum = 0;
+  for (const Segment<3> &s : segmentsOf(chain, v.mesh.nodes)) {
+    const Vec<3> x = (s[0] + s[1]) / 2.0 - axis.centre;
+    const double length = glm::length(s[1] - s[0]);
+    for (int k = 0; k < 3; ++k) moments[at(k)] += length * x[k] * x;
+    sum += length * glm::dot(x, x);
+  }
+  return [=](const Plane<3> &plane) {
+    const Vec<3> along = glm::cross(axis.direction, plane.normal);
+    const Vec<3> row(glm::dot(moments[0], along), glm::dot(moments[1], along), glm::dot(moments[2], along));
+    return std::abs(glm::dot(plane.normal, row)) <= kSkew * sum;
+  };
+}
+
+} // namespace
+
 std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
   std::vector<Index> half;
   for (const Index n : chain.nodes)
@@ -68,13 +91,15 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
     targets.push_back(axis.centre + unit);
   }
   for (const Index n : loop.chain.nodes) targets.push_back(v.node(n));
-  using Score = std::tuple<int, int, int, double>;
+  const auto divides = principalPlanes(v, loop.chain, axis);
+  const bool isLone = others.empty() && v.corners.empty(); // nothing else tells about directions
+  using Score = std::tuple<int, int, int, int, double>;
   std::vector<std::pair<Score, Proposal>> ranked;
   for (const Vec<3> &target : targets) {
     const Vec<3> across = glm::cross(axis.direction, target - axis.centre);
     if (glm::length(across) <= 1e3 * reach) continue;
     const Plane<3> plane = planeThrough(axis.centre, across);
-    Score score{0, 0, 0, 0};
+    Score score{0, 0, 0, 0, 0};
     std::vector<Index> from = loop.chain.nodes;
     for (const Other &o : others) {
       if (std::abs(plane.distance(o.axis.centre)) > reach ||
@@ -95,9 +120,10 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
     std::get<1>(score) += behind;
     int held = 0;
     for (const Index n : loop.chain.nodes) held += std::abs(plane.distance(v.node(n))) <= reach ? 1 : 0;
-    std::get<2>(score) = std::min(held, 2);
+    std::get<2>(score) = isLone && divides(plane) ? 1 : 0;
+    std::get<3>(score) = std::min(held, 2);
     const Vec<3> n = glm::abs(plane.normal);
-    std::get<3>(score) = std::round(1e6 * std::max({n.x, n.y, n.z}));
+    std::get<4>(score) = std::round(1e6 * std::max({n.x, n.y, n.z}));
     const auto known = std::find_if(ranked.begin(), ranked.end(), [&](const auto &r) {
       return std::abs(glm::dot(r.second.surface.plane.normal, plane.normal)) > 1 - 1e-9;
     });

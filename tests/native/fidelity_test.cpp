@@ -67,9 +67,8 @@ TEST(Fidelity, TurningOfJags) {
 
 TEST(Fidelity, FaceSize) {
   const std::vector<Vec<3>> x{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}};
-  EXPECT_DOUBLE_EQ(faceSize(x, {0, 1, 2, 3}, 10), 3);
-  EXPECT_DOUBLE_EQ(faceSize(x, {1, 2, 3, 0}, 10), 3);
-  EXPECT_DOUBLE_EQ(faceSize(x, {0, 1, 2, 3}, 0.5), 0.5);
+  EXPECT_DOUBLE_EQ(faceSize(x, {0, 1, 2, 3}), 3);
+  EXPECT_DOUBLE_EQ(faceSize(x, {1, 2, 3, 0}), 3);
 }
 
 /// A face over a strip that bends along x as `course` says, and is as long as wanted along y.
@@ -78,10 +77,10 @@ struct Strip {
   std::vector<SideFace> faces;
   std::vector<SideTriangle> triangles;
 
-  Strip(const std::vector<Vec<3>> &course, double length, double size = 1) {
+  Strip(const std::vector<Vec<3>> &course, double length, double column = 1) {
     for (const double y : {0.0, length})
       for (const Vec<3> &x : {course.front(), course.back()}) positions.emplace_back(x.x, y, x.z);
-    faces.push_back({{0, 1, 3, 2}, 0, 0, size});
+    faces.push_back({{0, 1, 3, 2}, 0, 0, column});
     addSide(course, 0, length);
   }
   void addSide(const std::vector<Vec<3>> &course, double from, double to, Index patch = 0) {
@@ -104,23 +103,38 @@ TEST(Fidelity, DistanceOfASideFromItsFace) {
     EXPECT_NEAR(m.sides[0].turning, degrees * 7 / 8, 1e-6) << degrees; // between the outermost chords
     EXPECT_TRUE(m.faults.empty());
   }
-  EXPECT_NEAR(Strip(arc(90, 8), 1, 0.8).measured().sides[0].distance, sagitta(90) / 0.8, 1e-9);
+  // By the face's size, and by what is behind it.
+  EXPECT_NEAR(Strip(arc(90, 8), 2, 0.8).measured().sides[0].distance, sagitta(90) / 2, 1e-9);
+  EXPECT_NEAR(Strip(arc(90, 8), 2, 0.8).measured().sides[0].depth, sagitta(90) / 0.8, 1e-9);
 }
 
 // Slightly less than the bound, and slightly more.
 TEST(Fidelity, DistanceBeyondTheBound) {
-  EXPECT_TRUE(Strip(arc(134, 8), 1).measured().faults.empty());
-  const SideMeasures m = Strip(arc(135.5, 8), 1).measured();
+  EXPECT_TRUE(Strip(arc(134, 8), 1, 10).measured().faults.empty());
+  const SideMeasures m = Strip(arc(135.5, 8), 1, 10).measured();
   ASSERT_EQ(m.faults.size(), 1U);
-  EXPECT_FALSE(m.faults[0].isTurning);
+  EXPECT_EQ(m.faults[0].kind, Fault::distance);
   EXPECT_NEAR(m.faults[0].value, sagitta(135.5), 1e-9);
 }
 
-TEST(Fidelity, TurningBeyondTheBound) {
-  EXPECT_TRUE(Strip(arc(119.0 * 8 / 7, 8), 1, 10).measured().faults.empty());
-  const SideMeasures m = Strip(arc(121.0 * 8 / 7, 8), 1, 10).measured();
+// Of the thickness: what is aimed at, and what is allowed.
+TEST(Fidelity, DepthBeyondTheBounds) {
+  const double off = sagitta(60);
+  const auto measured = [&](double share) { return Strip(arc(60, 8), 1, off / share).measured(); };
+  EXPECT_TRUE(measured(0.33).coarse.empty());
+  EXPECT_EQ(measured(0.34).coarse, std::vector<Index>{0});
+  EXPECT_TRUE(measured(0.66).faults.empty());
+  const SideMeasures m = measured(0.67);
   ASSERT_EQ(m.faults.size(), 1U);
-  EXPECT_TRUE(m.faults[0].isTurning);
+  EXPECT_EQ(m.faults[0].kind, Fault::depth);
+  EXPECT_NEAR(m.faults[0].value, 0.67, 1e-9);
+}
+
+TEST(Fidelity, TurningBeyondTheBound) {
+  EXPECT_TRUE(Strip(arc(119.0 * 8 / 7, 8), 3, 10).measured().faults.empty());
+  const SideMeasures m = Strip(arc(121.0 * 8 / 7, 8), 3, 10).measured();
+  ASSERT_EQ(m.faults.size(), 1U);
+  EXPECT_EQ(m.faults[0].kind, Fault::turning);
   EXPECT_NEAR(m.faults[0].value, 121, 1e-6);
 }
 
@@ -156,8 +170,8 @@ TEST(Fidelity, PlacesWithinLargeTriangles) {
   strip.faces.clear();
   for (int k = 0; k < 9; ++k) strip.positions.emplace_back(k % 3 / 2.0, k / 3 / 2.0, k == 4 ? 0.2 : 0.0);
   for (const Index k : {0, 1, 3, 4}) strip.faces.push_back({{k, k + 1, k + 4, k + 3}, 0, k, 1});
-  EXPECT_GT(strip.measured(0).sides[0].distance, 0.15); // by the side's own places
-  EXPECT_LE(strip.measured(3).sides[0].distance, 0.2);
+  EXPECT_GT(strip.measured(0).sides[0].depth, 0.15); // by the side's own places
+  EXPECT_LE(strip.measured(3).sides[0].depth, 0.2);
 }
 
 TEST(Fidelity, SidesByTheirPatches) {

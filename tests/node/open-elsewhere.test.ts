@@ -61,7 +61,9 @@ describe.runIf(hasProgram('gmsh', 'gmsh'))('Gmsh', () => {
       }
       const mesh = readGmsh(readFileSync(join(folder, 'again.msh')));
       const { findings, counts } = checkMesh(mesh, domain, defaultCheckSettings);
-      expect(findings.failures).toEqual([]);
+      // Gmsh takes no regions from VTK's files: what it writes anew has one, and that is noticed.
+      const lost = extension === 'vtk' && domain.regions.length > 1 ? ['regions', 'regions'] : [];
+      expect(findings.failures.map(({ check }) => check)).toEqual(lost);
       expect(counts).toMatchObject({
         nodes: points,
         blocks,

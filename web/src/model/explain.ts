@@ -260,7 +260,7 @@ const measuresText = ({ meshMeasure, domainMeasure }: Certificate, dimension: 2 
 const fidelityText = ({ isExact, fidelity }: Certificate): string =>
   isExact
     ? ''
-    : ` Faces are up to ${(100 * fidelity.largestDistance).toFixed(0)} % of their size off bent sides, which turn by up to ${fidelity.largestTurning.toFixed(0)}° in them.`;
+    : ` Faces are up to ${(100 * fidelity.largestDistance).toFixed(0)} % of their size (${(100 * fidelity.largestDepth).toFixed(0)} % of the thickness there) off bent sides, which turn by up to ${fidelity.largestTurning.toFixed(0)}° in them.`;
 
 function blockTexts(result: RunResult): CheckText[] {
   const { dimension, reference, contributions, primal, domain, features, certificate } = result;
