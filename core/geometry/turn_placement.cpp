@@ -10,97 +10,126 @@
 namespace dualblock {
 namespace {
 
-constexpr double kLeastTurning = 0.1; // radians: what turns less is as good as straight
-constexpr double kSharpness = 16;     // of the mean's direction: what is turned by 30 degrees weighs a tenth
+constexpr double kLeastRise = 0.02; // of its extent: what rises less is as good as straight
+constexpr double kSummit = 0.05;    // of the rise: what is less below the highest counts as being there
 
-/// Pieces of a curve or a side: where, how large, and in which direction they are turned.
+/// Pieces of a curve or a side: where, how large, and how high above what they are measured from.
 struct Piece {
-  Vec<3> middle, direction;
-  double size;
+  Vec<3> middle;
+  double size, height;
 };
 
-/// The place of those that are turned like `mean`; nothing if none is.
-bool placeTurnedLike(const std::vector<Piece> &pieces, const Vec<3> &mean, Vec<3> &place) {
+/// The middle of what is highest.
+Vec<3> summitOf(const std::vector<Piece> &pieces, double rise) {
   Vec<3> sum{0.0};
   double weight = 0;
-  const Vec<3> unit = glm::normalize(mean);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Piece &p : pieces) most = std::max(most, p.height);
   for (const Piece &p : pieces) {
-    const double w = p.size * std::pow(std::max(0.0, glm::dot(p.direction, unit)), kSharpness);
-    sum += w * p.middle;
-    weight += w;
+    const double below = std::max(0.0, 1 - (most - p.height) / (kSummit * rise));
+    sum += p.size * below * below * p.middle;
+    weight += p.size * below * below;
   }
-  if (!(weight > 0)) return false;
-  place = sum / weight;
-  return true;
+  return sum / weight; // the highest itself counts
 }
 
-double angleBetween(const Vec<3> &a, const Vec<3> &b) {
-  return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
-}
-
-bool placeOnChain(const ReferenceMesh<3> &mesh, const Chain &chain, Vec<3> &x) {
+/// Of a curve: where it is farthest from its chord.
+void placeOnChain(const ReferenceMesh<3> &mesh, const Chain &chain, Vec<3> &x) {
+  const auto node = [&](std::size_t k) { return mesh.nodes[at(chain.nodes[k])]; };
+  const Vec<3> from = node(0);
+  const Vec<3> chord = node(chain.nodes.size() - 1) - from;
+  const double square = glm::dot(chord, chord);
+  if (!(square > 0)) return;
+  const auto off = [&](const Vec<3> &y) { return y - from - glm::dot(y - from, chord) / square * chord; };
+  Vec<3> farthest{0.0};
+  for (std::size_t k = 1; k + 1 < chain.nodes.size(); ++k)
+    if (glm::length(off(node(k))) > glm::length(farthest)) farthest = off(node(k));
+  const double rise = glm::length(farthest);
+  if (rise <= kLeastRise * std::sqrt(square)) return;
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k + 1 < chain.nodes.size(); ++k) {
-    const Vec<3> a = mesh.nodes[at(chain.nodes[k])];
-    const Vec<3> d = mesh.nodes[at(chain.nodes[k + 1])] - a;
-    if (const double length = glm::length(d); length > 0) pieces.push_back({a + 0.5 * d, d / length, length});
+    const Vec<3> middle = (node(k) + node(k + 1)) / 2.0;
+    pieces.push_back({middle, glm::length(node(k + 1) - node(k)), glm::dot(off(middle), farthest) / rise});
   }
-  Vec<3> mean{0.0};
-  double turning = 0;
-  for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-    const double angle = angleBetween(pieces[k].direction, pieces[k + 1].direction);
-    mean += angle * (pieces[k].direction + pieces[k + 1].direction);
-    turning += angle;
-  }
-  Vec<3> place;
-  if (turning < kLeastTurning || !(glm::length(mean) > 0) || !placeTurnedLike(pieces, mean, place))
-    return false;
+  const Vec<3> place = summitOf(pieces, rise);
   double least = std::numeric_limits<double>::infinity();
-  for (const Piece &p : pieces) {
-    const double along = std::clamp(glm::dot(place - p.middle, p.direction), -0.5 * p.size, 0.5 * p.size);
-    const Vec<3> y = p.middle + along * p.direction;
+  for (std::size_t k = 0; k + 1 < chain.nodes.size(); ++k) {
+    const Vec<3> y = nearestOnTriangle(place, node(k), node(k + 1), node(k + 1));
     if (glm::length(y - place) >= least) continue;
     least = glm::length(y - place);
     x = y;
   }
-  return true;
 }
 
-bool placeOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side, Vec<3> &x) {
-  std::vector<Piece> pieces; // triangles
+/// A side as triangles, with the mean of its normals where it turns, each edge weighing by its length and by
+/// the angle that the side turns by there.
+struct SideShape {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> rim; // nodes, twice
+  Vec<3> mean{0.0};
+};
+
+SideShape shapeOf(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side) {
+  SideShape shape;
+  std::vector<Vec<3>> normals;
   std::vector<std::pair<std::array<Index, 2>, std::size_t>> edges;
   for (const FaceRef<3> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
     const auto [a, b, c] = mesh.sortedFace(f->simplex, f->face);
-    const Vec<3> u = mesh.nodes[at(b)] - mesh.nodes[at(a)];
-    const Vec<3> v = mesh.nodes[at(c)] - mesh.nodes[at(a)];
-    const double area = glm::length(glm::cross(u, v)) / 2;
-    if (!(area > 0)) continue;
     for (const auto &edge : {std::array{a, b}, std::array{b, c}, std::array{a, c}})
-      edges.emplace_back(edge, pieces.size());
-    pieces.push_back({mesh.nodes[at(a)] + (u + v) / 3.0, mesh.faceNormal(f->simplex, f->face), area});
+      edges.emplace_back(edge, normals.size());
+    shape.triangles.push_back({a, b, c});
+    normals.push_back(mesh.faceNormal(f->simplex, f->face));
   }
   sortItems(edges);
-  Vec<3> mean{0.0};
-  double most = 0;
-  for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
-    if (edges[e].first != edges[e + 1].first) continue;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto &[a, b] = edges[e].first;
-    const Vec<3> &n = pieces[edges[e].second].direction;
-    const Vec<3> &m = pieces[edges[e + 1].second].direction;
-    mean += angleBetween(n, m) * glm::length(mesh.nodes[at(b)] - mesh.nodes[at(a)]) * (n + m);
+    if (e + 1 == edges.size() || edges[e + 1].first != edges[e].first) {
+      shape.rim.insert(shape.rim.end(), {a, b});
+      continue;
+    }
+    const Vec<3> &n = normals[edges[e].second];
+    const Vec<3> &m = normals[edges[e + 1].second];
+    const double angle = std::acos(std::clamp(glm::dot(n, m), -1.0, 1.0));
+    shape.mean += angle * glm::length(mesh.nodes[at(b)] - mesh.nodes[at(a)]) * (n + m);
+    ++e;
   }
-  for (const Piece &p : pieces) most = std::max(most, angleBetween(p.direction, pieces[0].direction));
-  Vec<3> place;
-  if (most < kLeastTurning || !(glm::length(mean) > 0) || !placeTurnedLike(pieces, mean, place)) return false;
+  return shape;
+}
+
+/// Of a side: where it is farthest from its rim along its mean normal, out or in.
+void placeOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side, Vec<3> &x) {
+  const SideShape shape = shapeOf(mesh, parts, side);
+  if (shape.rim.empty() || !(glm::length(shape.mean) > 0)) return;
+  const Vec<3> up = glm::normalize(shape.mean);
+  double rim = 0;
+  for (const Index n : shape.rim)
+    rim += glm::dot(mesh.nodes[at(n)], up) / static_cast<double>(shape.rim.size());
+  std::vector<Piece> pieces;
+  double low = 0;
+  double high = 0;
+  double area = 0;
+  for (const auto &[a, b, c] : shape.triangles) {
+    const Vec<3> &o = mesh.nodes[at(a)];
+    const Vec<3> u = mesh.nodes[at(b)] - o;
+    const Vec<3> v = mesh.nodes[at(c)] - o;
+    const Vec<3> middle = o + (u + v) / 3.0;
+    pieces.push_back({middle, glm::length(glm::cross(u, v)) / 2, glm::dot(middle, up) - rim});
+    low = std::min(low, pieces.back().height);
+    high = std::max(high, pieces.back().height);
+    area += pieces.back().size;
+  }
+  const double rise = std::max(high, -low);
+  if (!(rise > kLeastRise * std::sqrt(area))) return;
+  if (-low > high)
+    for (Piece &p : pieces) p.height = -p.height;
+  const Vec<3> place = summitOf(pieces, rise);
   double least = std::numeric_limits<double>::infinity();
-  for (const FaceRef<3> *f = parts.sideFaces.begin(side); f != parts.sideFaces.end(side); ++f) {
-    const auto [a, b, c] = mesh.sortedFace(f->simplex, f->face);
+  for (const auto &[a, b, c] : shape.triangles) {
     const Vec<3> y = nearestOnTriangle(place, mesh.nodes[at(a)], mesh.nodes[at(b)], mesh.nodes[at(c)]);
     if (glm::length(y - place) >= least) continue;
     least = glm::length(y - place);
     x = y;
   }
-  return true;
 }
 
 } // namespace

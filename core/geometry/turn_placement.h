@@ -6,9 +6,9 @@
 
 namespace dualblock {
 
-/// Moves the nodes of bent sides, and of curves beside them, to where those are turned as they are in the
-/// mean, their turning being what they are weighed by: the middle of a fillet between two flats. The other
-/// nodes stay.
+/// Moves the nodes of bent sides, and of curves beside them, to where those are farthest from their rim or
+/// their chord: the middle of a fillet between two flats, of an arc, of an octant of a ball. The other nodes
+/// stay.
 void placeByTurning(const ReferenceMesh<3> &mesh, const Parts<3> &parts, const DualCells<3> &dual,
                     Primal<3> &primal);
 

@@ -20,19 +20,26 @@ constexpr std::size_t kMostSpread = 8;     // parts that such a cut may add
 std::optional<Proposal> halve(const PartView &v) {
   Vec<3> mean{0.0};
   double weight = 0;
-  std::vector<std::pair<Vec<3>, double>> cells;
+  std::vector<std::pair<std::array<Vec<3>, 4>, double>> cells; // corners, volume
   for (Index s = 0; s < v.mesh.simplexCount(); ++s) {
     if (v.parts.partOfSimplex[at(s)] != v.part) continue;
     const auto &n = v.mesh.simplices[at(s)];
     const double volume = orientation<3>(v.mesh.nodes, n);
-    cells.emplace_back((v.node(n[0]) + v.node(n[1]) + v.node(n[2]) + v.node(n[3])) / 4.0, volume);
-    mean += volume * cells.back().first;
+    cells.push_back({{v.node(n[0]), v.node(n[1]), v.node(n[2]), v.node(n[3])}, volume});
+    for (const Vec<3> &x : cells.back().first) mean += volume / 4 * x;
     weight += volume;
   }
   mean /= weight;
-  std::array<Vec<3>, 3> second{Vec<3>(0.0), Vec<3>(0.0), Vec<3>(0.0)}; // moments, by rows
-  for (const auto &[x, w] : cells)
-    for (int k = 0; k < 3; ++k) second[at(k)] += w * (x - mean)[k] * (x - mean);
+  // Second moments by rows, exactly: the reference mesh is coarse, and nothing may depend on it.
+  std::array<Vec<3>, 3> second{Vec<3>(0.0), Vec<3>(0.0), Vec<3>(0.0)};
+  for (const auto &[corners, volume] : cells) {
+    Vec<3> sum{0.0};
+    for (const Vec<3> &x : corners) sum += x - mean;
+    for (int k = 0; k < 3; ++k) {
+      second[at(k)] += volume / 20 * sum[k] * sum;
+      for (const Vec<3> &x : corners) second[at(k)] += volume / 20 * (x - mean)[k] * (x - mean);
+    }
+  }
   const auto extent = [&](const Vec<3> &d) {
     return d.x * glm::dot(second[0], d) + d.y * glm::dot(second[1], d) + d.z * glm::dot(second[2], d);
   };
