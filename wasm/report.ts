@@ -256,10 +256,15 @@ export function describe(report: Report): string {
       ? `  certified${report.refined ? ', its elements' : ''}: matching, cells, topology, geometry, features`
       : '  NOT VALID:',
     ...(certificate.valid ? handedOut : certificate).failures.map((f) => `    ${f.check}: ${f.message}`),
+    certificate.valid && !handedOut.valid ? `  ${refusedElements}` : '',
   ]
     .filter((line) => line !== '')
     .join('\n');
 }
+
+/** What to do about elements that their certificate refuses, though their blocks have passed. */
+export const refusedElements =
+  'The blocks are certified, these elements are not: give other numbers of intervals, or take the blocks.';
 
 /** How near the mesh that is handed out comes to bent sides. */
 function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate, what: string): string {
@@ -268,7 +273,8 @@ function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate,
   const than = `${Math.abs(off).toFixed(off * off < 0.01 ? 2 : 1)} % ${off < 0 ? 'less' : 'more'} than the domain`;
   const percent = (share: number) => `${(100 * share).toFixed(0)} %`;
   const distance = `${percent(fidelity.largestDistance)} of their size (${percent(fidelity.largestDepth)} of the thickness there)`;
-  return `  ${bentSides} bent side(s): straight ${what} hold ${than}, stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
+  const strayed = `${percent(fidelity.strayedVolume)} of its volume lies between them and the sides`;
+  return `  ${bentSides} bent side(s): straight ${what} hold ${than}, ${strayed}; they stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
 }
 
 /** How many curves (2D: vertices) have another number of blocks around them than is ideal, and the first place. */

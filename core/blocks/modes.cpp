@@ -15,8 +15,10 @@ constexpr double kGood = 0.3;       // scaled Jacobian that coarsening need not 
 constexpr double kShare = 0.6;      // of the layered mesh's worst: what it may go down to
 constexpr double kLessExact = 1.05; // of the layered mesh's error of volume, where sides are bent
 
+/// What is lost and what is gained may cancel, so the volume beside bent sides counts as well.
 double errorOf(const Certificate &certificate) {
-  return std::abs(certificate.meshMeasure - certificate.domainMeasure);
+  return std::max(std::abs(certificate.meshMeasure - certificate.domainMeasure),
+                  certificate.fidelity.strayed * std::abs(certificate.domainMeasure));
 }
 
 template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks) {
@@ -74,7 +76,8 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
                            1e-9 * std::abs(certificate.domainMeasure);
     coarsenOptions.isValid = [&](const BlockMesh<N> &mesh) {
       const Certificate c = certified(mesh);
-      return c.valid && errorOf(c) <= allowed;
+      return c.valid && errorOf(c) <= allowed &&
+             (c.fidelity.coarse.empty() || !certificate.fidelity.coarse.empty());
     };
     const std::vector<Index> more =
         coarsen(layered.mesh, layered.features, layered.featureNodes, blocks, coarsenOptions);

@@ -3,7 +3,7 @@
 import type { AsyncChunks, Chunks } from '../../wasm/io/block-mesh.ts';
 import { DualblockError } from '../../wasm/io/errors.ts';
 import { refineInput } from '../../wasm/refine.ts';
-import { makeReport, summarize } from '../../wasm/report.ts';
+import { makeReport, refusedElements, summarize } from '../../wasm/report.ts';
 import { defaultSettings } from '../../wasm/settings.ts';
 import type { App } from './app.ts';
 import { refinementOf } from './model/final-mesh.ts';
@@ -84,6 +84,14 @@ async function blobOf(pieces: Chunks | AsyncChunks, { progress, signal }: Work):
   return new Blob(parts);
 }
 
+/** The elements that are asked for in place of blocks; null for blocks. */
+async function elementsOf(app: App, work: Work) {
+  if (!app.ui.state.exportsElements) return null;
+  const { result } = app.model!;
+  const refinement = refinementOf(app.view.state, result);
+  return app.core.elements(refineInput(result), refinement, (_, done) => work.progress('Refining', done));
+}
+
 /** Only certified meshes are handed out. */
 const mesh = (extension: string, name: string, hint: string): Exporter => ({
   id: extension,
@@ -94,15 +102,12 @@ const mesh = (extension: string, name: string, hint: string): Exporter => ({
     const { meshWriter } = await import('../../wasm/io/write-mesh.ts');
     const model = app.model!;
     const { result } = model;
-    const refinement = refinementOf(app.view.state, result);
-    const refined = app.ui.state.exportsElements
-      ? await app.core.elements(refineInput(result), refinement, (_, done) => work.progress('Refining', done))
-      : null;
+    const refined = await elementsOf(app, work);
     const fault = refined?.certificate.failures[0];
     if (fault)
       throw new DualblockError(
         'badOption',
-        `The refined mesh is not valid: ${fault.message}.`,
+        `Nothing was written, as the refined mesh is not valid: ${fault.message}. ${refusedElements}`,
         fault.entities,
       );
     const pieces = meshWriter(`mesh.${extension}`)(result, refined);
@@ -137,10 +142,12 @@ export const exporters: Exporter[] = [
     name: 'Report, JSON',
     hint: 'counts, certificate, quality; as from the command line',
     allowed: any,
-    save: async (app) => {
+    save: async (app, work) => {
       const model = app.model!;
       const { result, reference, timeLimit, memory } = model;
-      const report = makeReport(result, { ...defaultSettings, ...reference, timeLimit }, memory);
+      const settings = { ...defaultSettings, ...reference, timeLimit };
+      const refined = valid(app) ? await elementsOf(app, work) : null;
+      const report = makeReport(result, settings, memory, refined);
       download(new Blob([JSON.stringify(report, null, 1)]), `${baseName(model)}-report.json`);
     },
   },

@@ -248,7 +248,7 @@ export function checkTexts({ result }: Model, elements: CheckedElements | null =
     geometry: `${count} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its element’s largest; ${measuresText(certificate, result.dimension)}.`,
     features: certificate.isExact
       ? 'Elements are pieces of blocks that keep them.'
-      : `The elements’ boundary: embedded, and near the bent sides.${fidelityText(certificate)}`,
+      : `Whether the elements’ boundary crosses itself, and how near to bent sides it is.${fidelityText(certificate)}`,
   };
   return texts.map((text) => ({ ...text, looked: looked[text.check] ?? text.looked }));
 }
@@ -260,12 +260,17 @@ const measuresText = ({ meshMeasure, domainMeasure }: Certificate, dimension: 2 
 const fidelityText = ({ isExact, fidelity }: Certificate): string =>
   isExact
     ? ''
-    : ` Faces are up to ${(100 * fidelity.largestDistance).toFixed(0)} % of their size (${(100 * fidelity.largestDepth).toFixed(0)} % of the thickness there) off bent sides, which turn by up to ${fidelity.largestTurning.toFixed(0)}° in them.`;
+    : ` Bent sides are up to ${percent(fidelity.largestDistance)} of a face’s size off it, up to ${percent(fidelity.largestDepth)} of the thickness behind one, and turn by up to ${fidelity.largestTurning.toFixed(0)}° within one; ${percent(fidelity.strayedVolume)} of the volume lies between.`;
+
+const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;
 
 function blockTexts(result: RunResult): CheckText[] {
-  const { dimension, reference, contributions, primal, domain, features, certificate } = result;
+  const { dimension, reference, contributions, primal, mesh, domain, features, certificate } = result;
   const n = dimension;
   const flat = n === 2;
+  // Extracted and inserted surfaces make a mesh of their own, which the last three checks are about.
+  const blocks = (mesh ?? primal).quality.length;
+  const which = mesh ? `the ${blocks} that are handed out, in step 9` : `${blocks} blocks`;
   let inner = 0;
   for (const other of reference.neighbors) if (other >= 0) inner++;
   const show = (step: Step, layers: Partial<Record<LayerId, Partial<LayerSetting>>>): Partial<ViewState> => ({
@@ -291,7 +296,9 @@ function blockTexts(result: RunResult): CheckText[] {
     {
       check: 'topology',
       title: 'A conforming complex like the domain',
-      looked: `${primal.faces.length / 4} faces, each in one or two of ${primal.quality.length} blocks; ${primal.boundaryFacet.length} of them close the boundary.`,
+      looked: mesh
+        ? `Faces of blocks, each in one or two of ${which}, the others the boundary.`
+        : `${primal.faces.length / 4} faces, each in one or two of ${which}; ${primal.boundaryFacet.length} of them close the boundary.`,
       view: { ...show(8, { blocks: { visible: true, opacity: 1 } }), shrink: 0.82 },
     },
     {
@@ -299,13 +306,15 @@ function blockTexts(result: RunResult): CheckText[] {
       title: certificate.isExact
         ? 'No block is inverted; measures agree'
         : 'No block is inverted; straight blocks come near',
-      looked: `${primal.quality.length} Jacobians by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its block’s largest; ${measuresText(certificate, dimension)}.`,
+      looked: `Jacobians of ${which}, by their Bézier coefficients, the smallest ${certificate.worstCoefficient.toPrecision(3)} of its block’s largest; ${measuresText(certificate, dimension)}.`,
       view: { ...show(8, { blocks: { visible: true, opacity: 1 } }), shrink: 1 },
     },
     {
       check: 'features',
       title: 'Vertices, curves and facets are kept',
-      looked: `${domain.vertices.length / n} vertices, ${features.kind.length} ${flat ? 'angles' : 'curves'}, ${domain.facetOffsets.length - 1} ${flat ? 'segments' : 'facets'}: nodes, chains of edges and unions of faces of the mesh.${fidelityText(certificate)}`,
+      looked: certificate.isExact
+        ? `${domain.vertices.length / n} vertices, ${features.kind.length} ${flat ? 'angles' : 'curves'}, ${domain.facetOffsets.length - 1} ${flat ? 'segments' : 'facets'}: nodes, chains of edges and unions of faces of the mesh.`
+        : `${features.kind.length} curves, the vertices that they end at, and the sides between them: chains of edges, nodes and unions of faces of the mesh.${fidelityText(certificate)}`,
       view: show(7, {
         curves: { visible: true, opacity: 1 },
         vertices: { visible: true, opacity: 1 },

@@ -1,5 +1,5 @@
 // Right panel: what the step is, the certificate, the selection, the list of entities.
-import { straightenedText } from '../../../wasm/report.ts';
+import { refusedElements, straightenedText } from '../../../wasm/report.ts';
 import type { Certificate } from '../../../wasm/result.ts';
 import { hideSelection, isolateSelection } from '../actions.ts';
 import { entityOf } from '../model/culprits.ts';
@@ -79,7 +79,7 @@ export function ExplainPanel() {
               : 'invariant bad'
           }
         >
-          {invariant}
+          {refined?.certificate.valid === false ? refusedElements : invariant}
         </p>
       )}
       {step >= 8 && <Histogram />}
