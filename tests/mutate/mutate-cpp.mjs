@@ -24,6 +24,17 @@ const kSmallerIsWider = [
 /** Tolerances have these names, or are constants. */
 const kBound = /\b(tolerance|allowed|error|overlap_|bound|slack|margin|facetDeviation|unit)\b/g;
 
+/** Behind the statement that an `if` may begin with; what ends with a semicolon within a lambda is none. */
+function startOfCondition(inside) {
+  let depth = 0;
+  for (let k = 0; k < inside.length; k++) {
+    if ('([{'.includes(inside[k])) depth++;
+    if (')]}'.includes(inside[k])) depth--;
+    if (inside[k] === ';' && depth === 0) return k + 1;
+  }
+  return 0;
+}
+
 export function mutantsOf(file, text, constants, first) {
   const code = codeOnly(text);
   const changes = new Changes(text);
@@ -52,7 +63,7 @@ export function mutantsOf(file, text, constants, first) {
     const open = index + head.length - 1;
     const close = closing(code, open);
     const inside = code.slice(open + 1, close);
-    const begin = inside.includes(';') ? open + 1 + inside.indexOf(';') + 1 : open + 1;
+    const begin = open + 1 + startOfCondition(inside);
     if (/^\s*(const )?[\w:<>]+ [*&]?\w+ = /.test(code.slice(begin, close))) continue; // a declaration by itself
     const body = code
       .slice(close + 1)
