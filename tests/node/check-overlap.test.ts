@@ -1,7 +1,8 @@
 // The checker on meshes that overlap themselves, and on those that come close or touch but do not.
 import { describe, expect, it } from 'vitest';
+import { BoxTree } from '../../wasm/check/box-tree.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
-import { orientation } from '../../wasm/check/segments.ts';
+import { orientation, type Segment, windingRightOf } from '../../wasm/check/segments.ts';
 import { altered, cells, grid, randomNumbers } from './support/block-meshes.ts';
 import { check, failed, messages } from './support/check-domains.ts';
 
@@ -189,4 +190,24 @@ it('orientation is exact', () => {
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5, 0.5, 0])).toBe(0);
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5, 0.5 + step, 0])).toBe(1);
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5 + step, 0.5, 0])).toBe(-1);
+  // Where the coordinates' differences are rounded so that doubles say -1.
+  expect(orientation([0.5 + 41 * step, 0.5 + 48 * step, 0], [12, 12, 0], [24, 24, 0])).toBe(1);
+});
+
+it('what runs around a place is unknown where another segment runs through it', () => {
+  const windingBeside = (offset: number): number | null => {
+    const segments: Segment[] = [
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+      ],
+      [
+        [0, offset - 1, 0],
+        [1, offset + 1, 0],
+      ],
+    ];
+    return windingRightOf({ segments, tree: new BoxTree(segments), reach: 1 }, 0, 0.5);
+  };
+  const unit = Number.EPSILON;
+  expect([-64, -8, 0, 8, 64].map((units) => windingBeside(units * unit))).toEqual([1, null, null, null, 0]);
 });
