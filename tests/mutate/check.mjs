@@ -1,5 +1,6 @@
 // Runs the checker's tests against every mutant of wasm/check (see mutate-ts.mjs), or a sample of them: one Vitest for
-// all, whose files are transformed once, and whose workers are new for each mutant.
+// all, whose files are transformed once. Each mutant has a worker of its own, for all of its test files: starting one for
+// each file takes longer than the tests.
 import { fileURLToPath } from 'node:url';
 import { createVitest } from 'vitest/node';
 import { mutated, mutation } from './mutate-ts.mjs';
@@ -23,6 +24,9 @@ export async function check() {
       watch: false,
       reporters: [{}],
       testTimeout: 20_000,
+      isolate: false,
+      maxWorkers: 1,
+      bail: 1,
     },
     { plugins: [mutation()] },
   );

@@ -24,6 +24,17 @@ const kSmallerIsWider = [
 /** Tolerances have these names, or are constants. */
 const kBound = /\b(tolerance|allowed|error|overlap_|bound|slack|margin|facetDeviation|unit)\b/g;
 
+/** Behind the statement that an `if` may begin with; what ends with a semicolon within a lambda is none. */
+function startOfCondition(inside) {
+  let depth = 0;
+  for (let k = 0; k < inside.length; k++) {
+    if ('([{'.includes(inside[k])) depth++;
+    if (')]}'.includes(inside[k])) depth--;
+    if (inside[k] === ';' && depth === 0) return k + 1;
+  }
+  return 0;
+}
+
 export function mutantsOf(file, text, constants, first) {
   const code = codeOnly(text);
   const changes = new Changes(text);
@@ -52,7 +63,7 @@ export function mutantsOf(file, text, constants, first) {
     const open = index + head.length - 1;
     const close = closing(code, open);
     const inside = code.slice(open + 1, close);
-    const begin = inside.includes(';') ? open + 1 + inside.indexOf(';') + 1 : open + 1;
+    const begin = open + 1 + startOfCondition(inside);
     if (/^\s*(const )?[\w:<>]+ [*&]?\w+ = /.test(code.slice(begin, close))) continue; // a declaration by itself
     const body = code
       .slice(close + 1)
@@ -90,8 +101,8 @@ export function mutantsOf(file, text, constants, first) {
   return { mutants, text: changes.result() };
 }
 
-function main(target) {
-  mkdirSync(target, { recursive: true });
+/** All mutants, and the changed text of each file by its name. */
+export function mutated() {
   const files = readdirSync(folder).sort();
   const read = (file) => readFileSync(join(folder, file), 'utf8');
   // Headers stay as they are, for others read them, too: their constants are widened wherever they are used.
@@ -99,16 +110,21 @@ function main(target) {
   for (const file of files.filter((name) => name.endsWith('.h')))
     for (const match of codeOnly(read(file)).matchAll(/constexpr double (k\w+) = [\d. /]+;/g))
       constants.add(match[1]);
-  const all = [];
+  const mutants = [];
+  const texts = new Map();
   for (const file of files.filter((name) => name.endsWith('.cpp'))) {
-    const { mutants, text } = mutantsOf(file, read(file), constants, all.length + 1);
-    all.push(...mutants);
-    writeFileSync(
-      join(target, file),
-      `#include "mutate/mutant.h"\n#line 1 "core/certificate/${file}"\n${text}`,
-    );
+    const made = mutantsOf(file, read(file), constants, mutants.length + 1);
+    mutants.push(...made.mutants);
+    texts.set(file, `#include "mutate/mutant.h"\n#line 1 "core/certificate/${file}"\n${made.text}`);
   }
-  writeFileSync(join(target, 'mutants.json'), `${JSON.stringify(named(all), null, 1)}\n`);
+  return { mutants: named(mutants), texts };
+}
+
+function main(target) {
+  mkdirSync(target, { recursive: true });
+  const { mutants, texts } = mutated();
+  for (const [file, text] of texts) writeFileSync(join(target, file), text);
+  writeFileSync(join(target, 'mutants.json'), `${JSON.stringify(mutants, null, 1)}\n`);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) main(process.argv[2]);

@@ -2,7 +2,7 @@
 // (core/certificate) and of the checker (wasm/check), one at a time, and runs their tests. What no test notices has to
 // have its reason in survivors.json, and no other may be there.
 //
-//   node tests/mutate/mutate.mjs [native|check] [--sample <part>/<parts>] [--preset <CMake preset>] [--only <text>]
+//   node tests/mutate/mutate.mjs [native|check] [--sample <count>] [--preset <CMake preset>] [--only <text>]
 import { readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { parseArgs } from 'node:util';
@@ -22,10 +22,11 @@ const { values, positionals } = parseArgs({
 });
 const reasons = JSON.parse(readFileSync(new URL('survivors.json', import.meta.url), 'utf8'));
 
-/** Every so-manieth mutant, or all. */
+/** All mutants, or so many of them, evenly spread over the files: the same ones every time. */
 function chosen(mutants) {
-  const [part, parts] = (values.sample ?? '0/1').split('/').map(Number);
-  return mutants.filter(({ id, name }) => id % parts === part && name.includes(values.only ?? ''));
+  const named = mutants.filter(({ name }) => name.includes(values.only ?? ''));
+  const step = named.length / Number(values.sample ?? named.length);
+  return named.filter((_, k) => Math.floor(k / step) !== Math.floor((k - 1) / step));
 }
 
 async function judge({ name, mutants, run, workers = availableParallelism(), close = () => {} }) {

@@ -2,6 +2,8 @@
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { isDeepStrictEqual } from 'node:util';
+import { mutated } from './mutate-cpp.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -51,12 +53,15 @@ export async function native(preset) {
   const program = `${root}/build/${preset}/dualblock-mutants`;
   const list = `${root}/build/${preset}/mutated/certificate/mutants.json`;
   if (!existsSync(program)) throw new Error(`${program} is missing: build its target`);
+  const { mutants } = mutated();
+  if (!isDeepStrictEqual(mutants, JSON.parse(readFileSync(list, 'utf8'))))
+    throw new Error(`${program} has other mutants than the source: build its target anew`);
   const whole = await runTests(program, 0, 600_000);
   if (!whole.passed) throw new Error(`without a mutant the tests fail: ${whole.by}`);
   const limit = 20_000 + 5000 * whole.seconds;
   return {
     name: 'core/certificate',
-    mutants: JSON.parse(readFileSync(list, 'utf8')),
+    mutants,
     run: (mutant) => runTests(program, mutant.id, limit),
   };
 }

@@ -241,9 +241,32 @@ TEST(CertificateBounds, VolumesFarApart) {
   for (const auto &[wall, isWrong] :
        {std::pair{0.5, false}, {0.33, true}}) { // 0.27 and 0.36 of it are in the roof
     const BlockRow row(arcRoof(110, 16), wall, 1);
-    EXPECT_EQ(row.says("between its bent sides and the blocks"), isWrong)
-        << row.certificate().fidelity.strayed;
+    const Certificate c = row.certificate();
+    EXPECT_EQ(row.says("between its bent sides and the blocks"), isWrong) << c.fidelity.strayed;
+    EXPECT_NEAR(c.fidelity.volumeDifference, wall / c.domainMeasure - 1, 1e-12);
   }
+  // As much is gained under one half of the roof as is lost under the other: 0.26 and 0.46, in all.
+  std::vector<Vec<2>> wave;
+  for (const Vec<2> &x : arcRoof(110, 8)) wave.push_back(Vec<2>(0.5, 0) + x / 2.0);
+  for (const Vec<2> &x : arcRoof(110, 8))
+    if (x.x < 1) wave.emplace_back(x.x / 2, -x.y / 2);
+  for (const auto &[wall, isWrong] : {std::pair{0.35, false}, {0.2, true}}) {
+    const BlockRow row(wave, wall, 1);
+    const Certificate c = row.certificate();
+    EXPECT_EQ(row.says("between its bent sides and the blocks"), isWrong) << c.fidelity.strayed;
+    EXPECT_NEAR(c.fidelity.volumeDifference, 0, 1e-9);
+  }
+  // Blocks elsewhere: near their sides, and far too many.
+  BlockRow twice(arcRoof(60, 8), 1, 2);
+  std::array<Index, 8> nodes = twice.blocks.blocks[0];
+  for (Index &n : nodes) {
+    twice.blocks.positions.push_back(twice.blocks.positions[at(n)] + Vec<3>(3, 0, 0));
+    n = toIndex(twice.blocks.positions.size()) - 1;
+  }
+  twice.addBlock(nodes);
+  twice.blocks.tags.back().fill(kNone);
+  EXPECT_LT(twice.certificate().fidelity.strayed, 0.1);
+  EXPECT_TRUE(twice.says("between its bent sides and the blocks"));
 }
 
 TEST(CertificateBounds, NodesOffABentSide) {

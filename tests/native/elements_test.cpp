@@ -181,6 +181,17 @@ TEST(ElementsOfBentSides, FarFromTheirSide) {
   EXPECT_NE(failuresOf(floor.certificate()).find("of its face's size"), std::string::npos);
 }
 
+TEST(ElementsOfBentSides, VolumesFarApart) {
+  for (const auto &[wall, isWrong] :
+       {std::pair{0.5, false}, {0.33, true}}) { // 0.27 and 0.36 of it are in the roof
+    const Refined<3> r(BlockRow(arcRoof(110, 16), wall, 1), 1);
+    const Certificate c = r.certificate();
+    EXPECT_EQ(failuresOf(c).find("between its bent sides and the elements") != std::string::npos, isWrong)
+        << c.fidelity.strayed;
+    EXPECT_TRUE(r.certificate(true).valid);
+  }
+}
+
 TEST(ElementsOfBentSides, BoundaryThatCrossesItself) {
   const Refined<3> r(cylinder(24));
   expectCaught<3>(r, Check::features, "not to cross itself", [](auto &m) {

@@ -204,21 +204,91 @@ TEST(Embedding, FacesHardlyLargerThanTheMargin) {
             0U);
 }
 
-// The first ray from the first face of a cube, whose direction is known, runs into an edge of another box.
-TEST(Embedding, ARayThatMeetsAnEdgeDoesNotCount) {
-  Surface surface;
-  surface.addBox({0, 0, 0}, {1, 1, 1});
-  std::rotate(surface.faces.begin(), surface.faces.end() - 1, surface.faces.end()); // the upper one first
+/// A cube, the upper one of whose faces is the first.
+Surface cube() {
+  Surface surface = Surface{}.addBox({0, 0, 0}, {1, 1, 1});
+  std::rotate(surface.faces.begin(), surface.faces.end() - 1, surface.faces.end());
+  return surface;
+}
+
+const Vec<3> kFrom{0.5, 0.5, 1}; // where the first ray from there begins
+
+/// Where it goes.
+Vec<3> firstDirection() {
   const double turn = 2.399963229728653;
   const Vec<3> along = glm::normalize(Vec<3>(1, 1, 0));
   const Vec<3> across = glm::normalize(Vec<3>(-1, 1, 0));
-  const Vec<3> direction = Vec<3>(0, 0, 1) + 0.15 * (std::cos(turn) * along + std::sin(turn) * across);
-  const Vec<3> met = Vec<3>(0.5, 0.5, 1) + direction;
+  return Vec<3>(0, 0, 1) + 0.15 * (std::cos(turn) * along + std::sin(turn) * across);
+}
+
+// The first ray from a cube runs into an edge of another box.
+TEST(Embedding, ARayThatMeetsAnEdgeDoesNotCount) {
+  Surface surface = cube();
+  const Vec<3> direction = firstDirection();
+  const Vec<3> met = kFrom + direction;
   // The lower edge on that side from which the ray comes.
   const double width = direction.x > 0 ? 1 : -1;
   surface.addBox({std::min(met.x, met.x + width), met.y - 3, met.z},
                  {std::max(met.x, met.x + width), met.y + 3, met.z + 1});
   EXPECT_TRUE(wrongShells(surface.view()).empty());
+}
+
+/// The face whose ray tells that a cube lies in a box: the second one where a face in the way of the first
+/// one's ray makes that unclear. The face's corners are along the ray and along two directions across it,
+/// from a place that it comes by.
+Index teller(const std::array<Vec<3>, 4> &met) {
+  const Vec<3> along = glm::normalize(firstDirection());
+  const Vec<3> right = glm::normalize(glm::cross(along, Vec<3>(1, 0, 0)));
+  const Vec<3> up = glm::cross(along, right);
+  Surface surface = cube().addBox({-9, -9, -9}, {9, 9, 9});
+  std::array<Vec<3>, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k)
+    corners[k] = kFrom + (2 + met[k].x) * along + met[k].y * right + met[k].z * up;
+  surface.add(corners);
+  for (const WrongShell &shell : wrongShells(surface.view()))
+    if (shell.face < 6) return shell.face;
+  return kNone;
+}
+
+TEST(Embedding, RaysNearTheRimOfAFaceDoNotCount) {
+  const auto nearRim = [](double share) {
+    return teller({{{0, -share, -0.5}, {0, 1 - share, -0.5}, {0, 1 - share, 0.5}, {0, -share, 0.5}}});
+  };
+  EXPECT_EQ(nearRim(0.3), 0);
+  EXPECT_EQ(nearRim(1e-5), 0);
+  EXPECT_EQ(nearRim(1e-8), 1);
+}
+
+TEST(Embedding, RaysAlongAFaceDoNotCount) {
+  const auto tilted = [](double slope) {
+    return teller(
+        {{{-0.5, -0.5, -slope / 2}, {-0.5, 0.5, -slope / 2}, {0.5, 0.5, slope / 2}, {0.5, -0.5, slope / 2}}});
+  };
+  EXPECT_EQ(tilted(0.1), 0);
+  EXPECT_EQ(tilted(1e-5), 0);
+  EXPECT_EQ(tilted(1e-8), 1);
+}
+
+// A saddle, whose ridge the ray goes through twice, or hardly touches.
+TEST(Embedding, RaysThatGrazeAFaceDoNotCount) {
+  const auto grazed = [](double share) {
+    const double height = 0.2;
+    const double high = height * (1 - share);
+    const double low = -height * (1 + share);
+    return teller({{{-1, 0, high}, {0, 1, low}, {1, 0, high}, {0, -1, low}}});
+  };
+  EXPECT_EQ(grazed(0.1), 0);
+  EXPECT_EQ(grazed(1e-10), 0);
+  EXPECT_EQ(grazed(1e-12), 1);
+}
+
+// Along a side that is a point a face runs in no direction.
+TEST(Embedding, NothingTellsWhereTriangularFacesAre) {
+  const std::array<Vec<3>, 4> x{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Surface tetrahedron{{x.begin(), x.end()}, {{0, 2, 1, 0}, {0, 1, 3, 0}, {1, 2, 3, 1}, {2, 0, 3, 2}}};
+  const auto wrong = wrongShells(tetrahedron.view());
+  ASSERT_EQ(wrong.size(), 1U);
+  EXPECT_FALSE(wrong[0].isKnown);
 }
 
 // A face without area tells nothing, whatever is around it.

@@ -138,6 +138,16 @@ TEST(Fidelity, TurningBeyondTheBound) {
   EXPECT_NEAR(m.faults[0].value, 121, 1e-6);
 }
 
+// Normals that differ by little more than rounding explains are two, others one.
+TEST(Fidelity, TurningByVeryLittle) {
+  const auto turning = [](double degrees) {
+    const double height = std::tan(degrees / 2 * kRadian) / 2;
+    return Strip({{0, 0, 0}, {0.5, 0, height}, {1, 0, 0}}, 1).measured().sides[0].turning;
+  };
+  EXPECT_NEAR(turning(0.05), 0.05, 1e-5);
+  EXPECT_EQ(turning(0.002), 0);
+}
+
 // What is askew by little of a face's area is a sliver, or another face's by right.
 TEST(Fidelity, TurningOfSlivers) {
   const auto turning = [](double share) { // of the side stands upright
@@ -194,6 +204,42 @@ TEST(Fidelity, SidesByTheirPatches) {
   strip.faces[1].patch = 4;
   ASSERT_FALSE(strip.measured().faults.empty());
   EXPECT_EQ(strip.measured().faults[0].face, 1);
+}
+
+/// Faces apart from one another, each so far above its own part of a flat side, which is in small triangles.
+Strip hovering(const std::vector<double> &heights) {
+  Strip strip({{0, 0, 0}, {1, 0, 0}}, 1);
+  strip.positions.clear();
+  strip.faces.clear();
+  strip.triangles.clear();
+  for (Index k = 0; k < toIndex(heights.size()); ++k) {
+    for (const Vec<2> &x : {Vec<2>(0, 0), {1, 0}, {1, 1}, {0, 1}})
+      strip.positions.emplace_back(3 * k + x.x, x.y, heights[at(k)]);
+    strip.faces.push_back({{4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3}, 0, k, 1});
+    std::vector<Vec<3>> course;
+    for (int i = 0; i <= 8; ++i) course.emplace_back(3 * k + i / 8.0, 0, 0);
+    for (int i = 0; i < 8; ++i) strip.addSide(course, i / 8.0, (i + 1) / 8.0);
+  }
+  return strip;
+}
+
+// Half of it is seen from the faces, half of it from the side.
+TEST(Fidelity, VolumeBetweenFacesAndASide) {
+  for (const int samples : {1, 3}) {
+    EXPECT_NEAR(hovering({0.1}).measured(samples).sides[0].strayed, 0.1, 1e-12);
+    EXPECT_NEAR(hovering({0.1, 0.1, 0.2}).measured(samples).sides[0].strayed, 0.4, 1e-12);
+  }
+}
+
+// Those with over half as much beside them as the one with the most, in the faces' order.
+TEST(Fidelity, FacesFurthestFromTheirSides) {
+  Strip strip = hovering({0.11, 0.2, 0.09, 0.15});
+  EXPECT_EQ(strip.measured().furthest, (std::vector<Index>{0, 1, 3}));
+  strip.faces[0].patch = 1; // a side of its own, behind the others'
+  for (std::size_t t = 0; t < strip.triangles.size() / 4; ++t) strip.triangles[t].patch = 1;
+  EXPECT_EQ(strip.measured().furthest, (std::vector<Index>{0, 1, 3}));
+  strip.faces.clear();
+  EXPECT_TRUE(strip.measured().furthest.empty());
 }
 
 // Faces around a cylinder each stand for their own part of it.

@@ -59,6 +59,7 @@ describe('volumes', () => {
       cells([[0, 0, 0]], (x) => x.map((t, axis) => at + t + (axis === 2 && t === 1 ? moved : 0)));
     expect(failed(mesh(0), domain)).toBe('');
     expect(failed(mesh(5e-10), domain)).toBe('measure');
+    expect(failed(mesh(5e-8), domain)).toContain('facets');
   });
 });
 

@@ -159,6 +159,16 @@ describe('signOfJacobian', () => {
     expect(signOfJacobian(corners)).toEqual({ sign: 'undecided', depth: deepest });
   });
 
+  it('gives up where too much is open', () => {
+    /** Turned and shrunk from one end to the other, so that the Jacobian is the same all over each section. */
+    const turning = (cos: number, sin: number): number[] =>
+      kCorners.flatMap(([x = 0, y = 0, z = 0]) =>
+        x === 0 ? [0, 100 * y, 100 * z] : [100, cos * y - sin * z, sin * y + cos * z],
+      );
+    expect(signOfJacobian(turning(-66, 5))).toEqual({ sign: 'positive', how: 'halving', depth: 5 });
+    expect(signOfJacobian(turning(-66, 0))).toEqual({ sign: 'undecided', depth: 7 }); // 0 in a plane
+  });
+
   it('agrees with values at many points, and doubles never claim what is not exact', () => {
     const random = randomNumbers(20);
     const seen: Record<string, number> = {};

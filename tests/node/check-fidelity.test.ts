@@ -8,7 +8,7 @@ import { domainReader } from '../../wasm/check/read-domain.ts';
 import { meshReader } from '../../wasm/check/read-mesh.ts';
 import { cells, grid } from './support/block-meshes.ts';
 import { check, failed, messages, solid } from './support/check-domains.ts';
-import { repositoryFile } from './support/core.ts';
+import { repositoryFile } from './support/repository.ts';
 import { prism } from './support/solids.ts';
 import { evenly, tube, tubeMesh, tubeSides } from './support/tube.ts';
 

@@ -105,6 +105,14 @@ describe('broken meshes', () => {
       /belongs to 3 blocks/,
     ],
     [
+      'a cube, and its mirror image on all of its faces',
+      altered(cells([[0, 0, 0]]), (m) => {
+        m.blocks = Int32Array.of(...m.blocks, ...m.blocks.subarray(4), ...m.blocks.subarray(0, 4));
+      }),
+      'topology,geometry',
+      /the mesh has no boundary/,
+    ],
+    [
       'two cubes joined at an edge',
       cells([
         [0, 0, 0],

@@ -1,7 +1,11 @@
 // The checker on meshes that overlap themselves, and on those that come close or touch but do not.
 import { describe, expect, it } from 'vitest';
+import { boxOf, type Quad } from '../../wasm/check/bilinear.ts';
+import { BoxTree } from '../../wasm/check/box-tree.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
-import { orientation } from '../../wasm/check/segments.ts';
+import { orientation, type Segment, windingRightOf } from '../../wasm/check/segments.ts';
+import { type Separation, separate } from '../../wasm/check/separation.ts';
+import { windingBefore } from '../../wasm/check/winding.ts';
 import { altered, cells, grid, randomNumbers } from './support/block-meshes.ts';
 import { check, failed, messages } from './support/check-domains.ts';
 
@@ -189,4 +193,91 @@ it('orientation is exact', () => {
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5, 0.5, 0])).toBe(0);
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5, 0.5 + step, 0])).toBe(1);
   expect(orientation([0, 0, 0], [1, 1, 0], [0.5 + step, 0.5, 0])).toBe(-1);
+  // Where the coordinates' differences are rounded so that doubles say -1.
+  expect(orientation([0.5 + 41 * step, 0.5 + 48 * step, 0], [12, 12, 0], [24, 24, 0])).toBe(1);
+});
+
+it('what runs around a place is unknown where another segment runs through it', () => {
+  const windingBeside = (offset: number): number | null => {
+    const segments: Segment[] = [
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+      ],
+      [
+        [0, offset - 1, 0],
+        [1, offset + 1, 0],
+      ],
+    ];
+    return windingRightOf({ segments, tree: new BoxTree(segments), reach: 1 }, 0, 0.5);
+  };
+  const unit = Number.EPSILON;
+  expect([-64, -8, 0, 8, 64].map((units) => windingBeside(units * unit))).toEqual([1, null, null, null, 0]);
+});
+
+describe('pairs of faces', () => {
+  /** Over the unit square, with corners up and down by turns. */
+  const saddle = (lift: number): Quad => [
+    [0, 0, lift],
+    [1, 0, lift + 1],
+    [1, 1, lift],
+    [0, 1, lift + 1],
+  ];
+  it('that are warped alike are apart in many small parts', () => {
+    expect(separate(saddle(0), saddle(0.02), 2)).toBe('apart');
+    expect(separate(saddle(0), saddle(1e-9), 2)).toBe('undecided');
+    expect(separate(saddle(0), saddle(0), 2)).toBe('undecided');
+  });
+  it('are apart by more than rounding', () => {
+    const beside = (gap: number): Separation =>
+      separate(
+        [
+          [0, 0, 0],
+          [1, 0, 0],
+          [1, 1, 0],
+          [0, 1, 0],
+        ],
+        [
+          [1 + gap, 0.5, -1],
+          [2, 0.5, -1],
+          [2, 0.5, 1],
+          [1 + gap, 0.5, 1],
+        ],
+        2,
+      );
+    expect([0, 1e-15, 1e-12, 0.1].map(beside)).toEqual(['touching', 'touching', 'apart', 'apart']);
+  });
+});
+
+describe('a ray from a face', () => {
+  const own: Quad = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 1, 0],
+    [0, 1, 0],
+  ];
+  const windingBelow = (other: Quad, u: number, v: number): number | null => {
+    const faces = [own, other];
+    return windingBefore({ faces, tree: new BoxTree(faces.map(boxOf)), reach: 1 }, 0, u, v);
+  };
+  it('is decided where a warped face reaches beside its start', () => {
+    const warped: Quad = [
+      [0, 0, 1.2],
+      [1, 0, -0.8],
+      [1, 1, 1.2],
+      [0, 1, -0.8],
+    ];
+    expect(windingBelow(warped, 0.3, 0.65)).toBe(1); // 0.08 above it
+    expect(windingBelow(warped, 0.2, 0.9)).toBe(0); // 0.28 below it
+  });
+  it('is unknown where it passes a side', () => {
+    const above = (offset: number): Quad => [
+      [0.5 - offset, 0, 1],
+      [1, 0, 1],
+      [1, 1, 1],
+      [0.5 - offset, 1, 1],
+    ];
+    const unit = Number.EPSILON;
+    expect([-64, 8, 64].map((units) => windingBelow(above(units * unit), 0.5, 0.5))).toEqual([0, null, 1]);
+  });
 });

@@ -5,7 +5,7 @@ import { toNumber } from '../../wasm/check/exact.ts';
 import { enclosedMeasure } from '../../wasm/check/measure.ts';
 import { solidOf } from '../../wasm/check/solid.ts';
 import { membrane, read, solid, square } from './support/check-domains.ts';
-import { errorOf } from './support/core.ts';
+import { errorOf } from './support/errors.ts';
 import { asFiles, box, change, lShape, planeJson, type Solid, together } from './support/solids.ts';
 
 const turned = (s: Solid): Solid =>

@@ -1,23 +1,21 @@
 // The WebAssembly core in Node, the example domains as bytes, and results as digests.
 import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
 import { Dualblock, type Settings } from '../../../wasm/dualblock.ts';
-import { DualblockError } from '../../../wasm/io/errors.ts';
 import { Refiner } from '../../../wasm/refine.ts';
 import type { RunResult } from '../../../wasm/result.ts';
+import { repositoryFile } from './repository.ts';
 import { bytesOf, type Input } from './surface-files.ts';
 
-const root = new URL('../../../', import.meta.url);
-const wasmBinary = readFileSync(new URL('wasm/build/dualblock.wasm', root));
+export { entitiesOf, errorOf } from './errors.ts';
+export { repositoryFile };
+
+const wasmBinary = repositoryFile('wasm/build/dualblock.wasm');
 
 /** A core of its own: its memory is nobody else's. */
 export const startCore = (): Promise<Dualblock> => Dualblock.create({ wasmBinary });
 
 export const startRefiner = (): Promise<Refiner> =>
-  Refiner.create({ wasmBinary: readFileSync(new URL('wasm/build/refinement.wasm', root)) });
-
-/** A file of the repository. */
-export const repositoryFile = (path: string): Buffer => readFileSync(new URL(path, root));
+  Refiner.create({ wasmBinary: repositoryFile('wasm/build/refinement.wasm') });
 
 export const exampleBytes = (name: string): Buffer => repositoryFile(`public/examples/${name}.json`);
 
@@ -76,18 +74,3 @@ export function digest({ timings: _, ...result }: RunResult): Record<string, str
   });
   return hashes;
 }
-
-/** The DualblockError that `work` throws; fails for anything else. */
-export function errorOf(work: () => unknown): DualblockError {
-  try {
-    work();
-  } catch (error) {
-    if (error instanceof DualblockError) return error;
-    throw error;
-  }
-  throw new Error('there was no error');
-}
-
-/** Entities in short: "facet 3,vertex 0". */
-export const entitiesOf = (error: DualblockError): string =>
-  error.entities.map(({ kind, index }) => `${kind} ${index}`).join();
