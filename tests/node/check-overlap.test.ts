@@ -1,7 +1,7 @@
 // The checker on meshes that overlap themselves, and on those that come close or touch but do not.
 import { describe, expect, it } from 'vitest';
 import { boxOf, type Quad } from '../../wasm/check/bilinear.ts';
-import { BoxTree } from '../../wasm/check/box-tree.ts';
+import { type Box, BoxTree } from '../../wasm/check/box-tree.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
 import { orientation, type Segment, windingRightOf } from '../../wasm/check/segments.ts';
 import { type Separation, separate } from '../../wasm/check/separation.ts';
@@ -209,7 +209,11 @@ it('what runs around a place is unknown where another segment runs through it', 
         [1, offset + 1, 0],
       ],
     ];
-    return windingRightOf({ segments, tree: new BoxTree(segments), reach: 1 }, 0, 0.5);
+    return windingRightOf(
+      { segments, tree: new BoxTree(segments.map(([low, high]): Box => [low, high])), reach: 1 },
+      0,
+      0.5,
+    );
   };
   const unit = Number.EPSILON;
   expect([-64, -8, 0, 8, 64].map((units) => windingBeside(units * unit))).toEqual([1, null, null, null, 0]);
