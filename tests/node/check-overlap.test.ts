@@ -209,7 +209,11 @@ it('what runs around a place is unknown where another segment runs through it', 
         [1, offset + 1, 0],
       ],
     ];
-    return windingRightOf({ segments, tree: new BoxTree(segments), reach: 1 }, 0, 0.5);
+    return windingRightOf(
+      { segments, tree: new BoxTree(segments.map(([a, b]) => [a, b])), reach: 1 },
+      0,
+      0.5,
+    );
   };
   const unit = Number.EPSILON;
   expect([-64, -8, 0, 8, 64].map((units) => windingBeside(units * unit))).toEqual([1, null, null, null, 0]);
