@@ -1,7 +1,7 @@
 // The checker on meshes that overlap themselves, and on those that come close or touch but do not.
 import { describe, expect, it } from 'vitest';
 import { boxOf, type Quad } from '../../wasm/check/bilinear.ts';
-import { type Box, BoxTree } from '../../wasm/check/box-tree.ts';
+import { BoxTree } from '../../wasm/check/box-tree.ts';
 import type { Mesh } from '../../wasm/check/mesh.ts';
 import { orientation, type Segment, windingRightOf } from '../../wasm/check/segments.ts';
 import { type Separation, separate } from '../../wasm/check/separation.ts';
@@ -210,7 +210,7 @@ it('what runs around a place is unknown where another segment runs through it', 
       ],
     ];
     return windingRightOf(
-      { segments, tree: new BoxTree(segments.map(([low, high]): Box => [low, high])), reach: 1 },
+      { segments, tree: new BoxTree(segments.map(([a, b]) => [a, b])), reach: 1 },
       0,
       0.5,
     );
