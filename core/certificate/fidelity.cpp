@@ -117,14 +117,17 @@ private:
     for (std::size_t f = 0; f < faces_.size(); ++f)
       for (int i = 0; i <= samples + 1; ++i)
         for (int j = 0; j <= samples + 1; ++j) {
-          if (i % (samples + 1) == 0 && j % (samples + 1) == 0) continue; // nodes lie on it: another check
           const Vec<3> x = pointOf(positions_, faces_[f].nodes, static_cast<double>(i) / (samples + 1),
                                    static_cast<double>(j) / (samples + 1));
           const double square = tree.nearest(x, std::numeric_limits<double>::infinity(),
                                              [&](Index t) { return squareTo(triangles_[at(t)].corners, x); });
-          distance_[f] = std::max(distance_[f], std::sqrt(square));
-          if (i % (samples + 1) != 0 && j % (samples + 1) != 0)
-            strayed_[f] += std::sqrt(square) * areaOf(faces_[f].nodes) / (2.0 * samples * samples);
+          const bool isEnd = i % (samples + 1) == 0;
+          const bool isSide = j % (samples + 1) == 0;
+          if (!isEnd || !isSide) // that nodes lie on it is another check
+            distance_[f] = std::max(distance_[f], std::sqrt(square));
+          // By the trapezoidal rule.
+          const double share = (isEnd ? 0.5 : 1) * (isSide ? 0.5 : 1) / ((samples + 1) * (samples + 1));
+          strayed_[f] += std::sqrt(square) * share * areaOf(faces_[f].nodes) / 2;
         }
   }
 
@@ -178,13 +181,14 @@ private:
           const Vec<3> p = x(a, b);
           samples.push_back({p.x, p.y, p.z});
         }
+      const double share = glm::length(across) / (n * (n + 1)); // of the triangle's area, of each place
       for (int a = 0; a < n; ++a)
         for (int b = 0; a + b < n; ++b) {
           const std::size_t f = nearestFace(x(a + 1.0 / 3, b + 1.0 / 3), gap);
-          strayed_[f] += gap * glm::length(across) / (4.0 * n * n);
+          strayed_[f] += gap * share / 2;
           auto &known = normals[f];
           if (known.empty() || glm::dot(known.back().first, unit) < 1 - 1e-9) known.emplace_back(unit, 0);
-          known.back().second += glm::length(across) / (n * n);
+          known.back().second += share;
         }
     }
     sortItems(samples);

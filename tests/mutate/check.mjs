@@ -49,12 +49,19 @@ export async function check(isSample) {
     for (const group of tried) by ??= await runGroup(group);
     return { passed: by === null, by, seconds: (Date.now() - begin) / 1000 };
   };
+  /** Tests that bear the name of the mutant's file come before all others. */
+  const ownFirst = (file) => {
+    const own = all.filter(({ moduleId }) => moduleId.endsWith(`check-${/^[a-z]+/.exec(file)}.test.ts`));
+    return [own, ...groups.map((group) => group.filter((one) => !own.includes(one)))].filter(
+      (group) => group.length > 0,
+    );
+  };
   const whole = await runWith(0, isSample ? groups.slice(0, 1) : groups);
   if (!whole.passed) throw new Error(`without a mutant the tests fail: ${whole.by}`);
   return {
     name: 'wasm/check',
     mutants: mutated().mutants,
-    run: ({ id }) => runWith(id, groups),
+    run: ({ id, file }) => runWith(id, ownFirst(file)),
     workers: 1, // it has workers of its own
     close: () => vitest.close(),
   };

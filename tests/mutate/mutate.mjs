@@ -23,16 +23,22 @@ const { values, positionals } = parseArgs({
 const isSample = values.sample !== undefined;
 const reasons = JSON.parse(readFileSync(new URL('survivors.json', import.meta.url), 'utf8'));
 
-/** All mutants, or so many of them, evenly spread over the files: the same ones every time. */
-function chosen(mutants) {
-  const named = mutants.filter(({ name }) => name.includes(values.only ?? ''));
+/**
+ * All mutants, or so many of them, evenly spread over the files: the same ones every time, and none of those known to
+ * survive, for which all tests would be run.
+ */
+function chosen(mutants, known) {
+  const named = mutants.filter(
+    ({ name }) => name.includes(values.only ?? '') && !(isSample && name in known),
+  );
   const step = named.length / Number(values.sample ?? named.length);
   return named.filter((_, k) => Math.floor(k / step) !== Math.floor((k - 1) / step));
 }
 
 async function judge({ name, mutants, run, workers = availableParallelism(), close = () => {} }) {
   const begin = Date.now();
-  const queue = chosen(mutants);
+  const known = reasons[name] ?? {};
+  const queue = chosen(mutants, known);
   const survivors = [];
   const count = queue.length;
   const work = async () => {
@@ -47,7 +53,6 @@ async function judge({ name, mutants, run, workers = availableParallelism(), clo
   await close();
   survivors.sort((a, b) => a.id - b.id);
 
-  const known = reasons[name] ?? {};
   let isRight = true;
   for (const mutant of survivors) {
     const reason = known[mutant.name];
@@ -55,7 +60,7 @@ async function judge({ name, mutants, run, workers = availableParallelism(), clo
     isRight &&= reason !== undefined;
   }
   const left = new Set(survivors.map((mutant) => mutant.name));
-  const tried = new Set(chosen(mutants).map((mutant) => mutant.name));
+  const tried = new Set(chosen(mutants, known).map((mutant) => mutant.name));
   const names = new Set(mutants.map((mutant) => mutant.name));
   for (const stale of Object.keys(known).filter(
     (key) => !names.has(key) || (tried.has(key) && !left.has(key)),
