@@ -95,7 +95,7 @@ TEST_P(BentSolidsCoarsest, KeepTheirShape) {
 
 INSTANTIATE_TEST_SUITE_P(Adversarial, BentSolidsCoarsest,
                          ::testing::Values(BentSolid{"spiral_extruded", 60}, BentSolid{"sp_1.25_3", 24},
-                                           BentSolid{"disc_in_notch", 32}, BentSolid{"s_wave1", 12}),
+                                           BentSolid{"disc_in_notch", 32}, BentSolid{"s_wave1", 16}),
                          nameOf);
 
 // A polyhedron of 50 corners on a sphere was taken for a ball of 32 blocks, a quarter of it missing.
