@@ -150,8 +150,7 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
     const SideFace &face = faces[at(fault.face)];
     certificate.fail(Check::features,
                      "block " + std::to_string(face.owner) + " strays from the bent side of facet " +
-                         std::to_string(face.patch) + (fault.kind == Fault::turning ? ", " : " ") +
-                         describe(fault),
+                         std::to_string(face.patch) + describe(fault),
                      {{"block", face.owner}, {"facet", face.patch}});
   }
   for (const SideFidelity &side : measures.sides) certificate.fidelity.strayed += side.strayed;

@@ -166,8 +166,7 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
     if (in.mayStayStraight) break;
     certificate.fail(Check::features,
                      "element " + std::to_string(face.owner) + " strays from the bent side of facet " +
-                         std::to_string(face.patch) + (fault.kind == Fault::turning ? ", " : " ") +
-                         describe(fault),
+                         std::to_string(face.patch) + describe(fault),
                      {{"element", face.owner}, {"facet", face.patch}});
   }
   for (const SideFidelity &side : measures.sides) {

@@ -218,11 +218,11 @@ double faceSize(const std::vector<Vec<3>> &x, const std::array<Index, 4> &q) {
 
 std::string describe(const FaceFault &fault) {
   switch (fault.kind) {
-  case Fault::distance: return "by " + scientific(fault.value) + " of its face's size";
-  case Fault::depth: return "by " + scientific(fault.value) + " of the thickness there";
+  case Fault::distance: return " by " + scientific(fault.value) + " of its face's size";
+  case Fault::depth: return " by " + scientific(fault.value) + " of the thickness there";
   case Fault::turning: break;
   }
-  return "which turns by " + scientific(fault.value) + " degrees in its face";
+  return ", which turns by " + scientific(fault.value) + " degrees in its face";
 }
 
 SideMeasures measureSides(const std::vector<Vec<3>> &positions, const std::vector<SideFace> &faces,

@@ -63,7 +63,7 @@ struct SideMeasures {
 /// The longer of the lines through the middles of a face's opposite edges.
 double faceSize(const std::vector<Vec<3>> &positions, const std::array<Index, 4> &nodes);
 
-/// What a face is said to do, in a message.
+/// How a face strays from its side: the end of a message that has named both.
 std::string describe(const FaceFault &fault);
 
 /// Distances and turning between faces and sides. `samples`: points along each direction of a face, besides

@@ -7,6 +7,18 @@
 namespace dualblock {
 namespace {
 
+struct Mean {
+  Vec<3> sum{0.0};
+  double count = 0;
+  void add(const Vec<3> &x) {
+    sum += x;
+    count += 1;
+  }
+  Vec<3> value() const { return count > 0 ? sum / count : sum; }
+};
+
+} // namespace
+
 Vec<3> nearestOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side, const Vec<3> &x) {
   Vec<3> best = x;
   double least = std::numeric_limits<double>::infinity();
@@ -20,18 +32,6 @@ Vec<3> nearestOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index 
   }
   return best;
 }
-
-struct Mean {
-  Vec<3> sum{0.0};
-  double count = 0;
-  void add(const Vec<3> &x) {
-    sum += x;
-    count += 1;
-  }
-  Vec<3> value() const { return count > 0 ? sum / count : sum; }
-};
-
-} // namespace
 
 void followBentSides(const ReferenceMesh<3> &mesh, const Parts<3> &parts, const DualCells<3> &dual,
                      Primal<3> &primal) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/sort.h"
+#include "geometry/bent_placement.h"
 #include "geometry/nearest.h"
 #include "parts/chains.h"
 
@@ -54,7 +55,7 @@ void placeOnChain(const ReferenceMesh<3> &mesh, const Chain &chain, Vec<3> &x) {
   const Vec<3> place = summitOf(pieces, rise);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < chain.nodes.size(); ++k) {
-    const Vec<3> y = nearestOnTriangle(place, node(k), node(k + 1), node(k + 1));
+    const Vec<3> y = nearestOnSegment(place, node(k), node(k + 1));
     if (glm::length(y - place) >= least) continue;
     least = glm::length(y - place);
     x = y;
@@ -122,14 +123,7 @@ void placeOnSide(const ReferenceMesh<3> &mesh, const Parts<3> &parts, Index side
   if (!(rise > kLeastRise * std::sqrt(area))) return;
   if (-low > high)
     for (Piece &p : pieces) p.height = -p.height;
-  const Vec<3> place = summitOf(pieces, rise);
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto &[a, b, c] : shape.triangles) {
-    const Vec<3> y = nearestOnTriangle(place, mesh.nodes[at(a)], mesh.nodes[at(b)], mesh.nodes[at(c)]);
-    if (glm::length(y - place) >= least) continue;
-    least = glm::length(y - place);
-    x = y;
-  }
+  x = nearestOnSide(mesh, parts, side, summitOf(pieces, rise));
 }
 
 } // namespace
