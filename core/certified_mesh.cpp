@@ -36,12 +36,10 @@ template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r, bool h
   r.primal.positions = std::move(blocks.positions);
 }
 
-template <int N>
-std::vector<double> qualityAt(const PipelineResult<N> &r, const std::vector<Vec<N>> &positions) {
-  std::vector<double> quality;
+template <int N> void measureQuality(PipelineResult<N> &r) {
+  r.quality.clear();
   for (const Block<N> &block : r.primal.blocks)
-    quality.push_back(scaledJacobian<N>(cornersOf<N>(block.nodes, positions)));
-  return quality;
+    r.quality.push_back(scaledJacobian<N>(cornersOf<N>(block.nodes, r.primal.positions)));
 }
 
 double worstOf(const std::vector<double> &quality) {
@@ -55,10 +53,12 @@ template <int N>
 [[gnu::noinline]] bool tryOtherPlaces(PipelineResult<N> &r, std::vector<Vec<N>> placed,
                                       const CertificateInput<N> &toCertify, const Certificate &ofDual) {
   const std::vector<Vec<N>> relaxed = std::exchange(r.primal.positions, std::move(placed));
+  const std::vector<double> quality = r.quality;
   const std::vector<Vec<N>> history = std::exchange(r.history, {});
   const Certificate ofRelaxed = std::exchange(r.certificate, certify(toCertify, ofDual));
   const auto keepsShape = [&] {
-    return worstOf(qualityAt(r, r.primal.positions)) >= kKeptShape * worstOf(qualityAt(r, relaxed));
+    measureQuality(r);
+    return worstOf(r.quality) >= kKeptShape * worstOf(quality);
   };
   if (r.certificate.valid) return keepsShape();
   if constexpr (N == 3)
@@ -69,6 +69,7 @@ template <int N>
       if (r.certificate.valid) return keepsShape();
     }
   r.primal.positions = relaxed;
+  r.quality = quality;
   r.history = history;
   r.certificate = ofRelaxed;
   return true;
@@ -136,10 +137,10 @@ template <int N> bool buildResult(PipelineResult<N> &r, const PipelineOptions &o
   clock.start("certificate", 0.9);
   dual.finish();
   r.certificate = certify(toCertify, ofDual);
+  measureQuality(r);
   bool isGood = true;
   if (!r.certificate.valid && options.mode.relax)
     isGood = tryOtherPlaces(r, std::move(placed), toCertify, ofDual);
-  r.quality = qualityAt(r, r.primal.positions);
   return isGood && r.certificate.fidelity.coarse.empty();
 }
 

@@ -49,6 +49,14 @@ struct PartCandidate {
 /// Everything that a run derives, each stage's result with the ids of what it came from. On failure the
 /// stages that were reached are filled in.
 template <int N> struct PipelineResult {
+  // Out of line: else all that a result consists of is compiled wherever there is one.
+  PipelineResult();
+  PipelineResult(const PipelineResult &);
+  PipelineResult(PipelineResult &&) noexcept;
+  PipelineResult &operator=(const PipelineResult &);
+  PipelineResult &operator=(PipelineResult &&) noexcept;
+  ~PipelineResult();
+
   PreparedDomain<N> domain;
   ReferenceMesh<N> mesh;
   Parts<N> features;                // of the uncut reference mesh: the domain's own

@@ -266,12 +266,14 @@ export function describe(report: Report): string {
 export const refusedElements =
   'The blocks are certified, these elements are not: give other numbers of intervals, or take the blocks.';
 
+/** A share in words. */
+export const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;
+
 /** How near the mesh that is handed out comes to bent sides. */
 function describeFidelity(bentSides: number, { isExact, fidelity }: Certificate, what: string): string {
   if (isExact) return '';
   const off = 100 * fidelity.volumeDifference;
   const than = `${Math.abs(off).toFixed(off * off < 0.01 ? 2 : 1)} % ${off < 0 ? 'less' : 'more'} than the domain`;
-  const percent = (share: number) => `${(100 * share).toFixed(0)} %`;
   const distance = `${percent(fidelity.largestDistance)} of their size (${percent(fidelity.largestDepth)} of the thickness there)`;
   const strayed = `${percent(fidelity.strayedVolume)} of its volume lies between them and the sides`;
   return `  ${bentSides} bent side(s): straight ${what} hold ${than}, ${strayed}; they stray by up to ${distance}, and turn by up to ${fidelity.largestTurning.toFixed(0)}° each`;
@@ -285,7 +287,7 @@ function describeFeatures(
   if (!first) return '';
   const all = curves.reduce((sum, row) => sum + row.curves, 0);
   const place = first.place.map((x) => Number(x.toPrecision(4))).join(', ');
-  return `  ${more.length + 1} of ${all} ${dimension === 2 ? 'vertices' : 'curves'} have not their ideal number of blocks: at (${place}) ${first.actual} for ${first.ideal}${more.length > 0 ? ', … (all are in the report)' : ''}`;
+  return `  ${more.length + 1} of ${all} ${dimension === 2 ? 'vertices' : 'curves'} do not have their ideal number of blocks: at (${place}) ${first.actual} for ${first.ideal}${more.length > 0 ? ', … (all are in the report)' : ''}`;
 }
 
 /** Of blocks whose elements do not follow the bent sides beside them. */

@@ -153,7 +153,6 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
                          std::to_string(face.patch) + describe(fault),
                      {{"block", face.owner}, {"facet", face.patch}});
   }
-  for (const SideFidelity &side : measures.sides) certificate.fidelity.strayed += side.strayed;
   for (const Index f : measures.furthest) // to be cut further where that is too much
     certificate.fidelity.furthest.push_back({"block", faces[at(f)].owner});
   for (const Index f : measures.coarse) certificate.fidelity.coarse.push_back({"block", faces[at(f)].owner});

@@ -24,6 +24,19 @@ std::string scientific(double x) {
   return text;
 }
 
+void summarize(Fidelity &fidelity, double volumeDifference, double domainMeasure) {
+  double strayed = 0;
+  for (const SideFidelity &side : fidelity.sides) {
+    fidelity.largestDistance = std::max(fidelity.largestDistance, side.distance);
+    fidelity.largestDepth = std::max(fidelity.largestDepth, side.depth);
+    fidelity.largestTurning = std::max(fidelity.largestTurning, side.turning);
+    strayed += side.strayed / domainMeasure;
+  }
+  fidelity.volumeDifference = volumeDifference;
+  // Distances to what is nearest are less than those along normals: what is missing in all is known better.
+  fidelity.strayed = std::max(std::abs(volumeDifference), strayed);
+}
+
 namespace {
 
 /// By Check, each a certificate of its own, for they may be made at the same time; the first one holds what
@@ -47,18 +60,10 @@ Certificate joined(Findings &findings) {
   return all;
 }
 
-/// Completes what was measured of bent sides by the whole mesh's figures.
-void summarizeFidelity(const Certificate &geometry, Certificate &features) {
+void checkStrayed(const Certificate &geometry, Certificate &features) {
   Fidelity &fidelity = features.fidelity;
-  for (const SideFidelity &side : fidelity.sides) {
-    fidelity.largestDistance = std::max(fidelity.largestDistance, side.distance);
-    fidelity.largestDepth = std::max(fidelity.largestDepth, side.depth);
-    fidelity.largestTurning = std::max(fidelity.largestTurning, side.turning);
-  }
-  fidelity.strayed /= geometry.domainMeasure;
-  if (!geometry.isExact) fidelity.volumeDifference = geometry.meshMeasure / geometry.domainMeasure - 1;
-  // Distances to what is nearest are less than those along normals: what is missing in all is known better.
-  fidelity.strayed = std::max(std::abs(fidelity.volumeDifference), fidelity.strayed);
+  const double share = geometry.meshMeasure / geometry.domainMeasure;
+  summarize(fidelity, geometry.isExact ? 0 : share - 1, geometry.domainMeasure);
   if (!(fidelity.strayed <= kMostStrayed))
     features.fail(Check::features,
                   scientific(100 * fidelity.strayed) +
@@ -75,7 +80,7 @@ template <int N> void checkBlocks(const BlockInput<N> &in, Findings &findings) {
   checkFeatures(in, complex, of(findings, Check::features));
   topology.finish();
   geometry.finish();
-  summarizeFidelity(of(findings, Check::geometry), of(findings, Check::features));
+  checkStrayed(of(findings, Check::geometry), of(findings, Check::features));
 }
 
 } // namespace

@@ -81,6 +81,10 @@ void checkBentSides(const BlockInput<3> &input, const BlockComplex<3> &complex, 
 
 std::string scientific(double x);
 
+/// Completes what was measured of bent sides, each for itself, by the whole mesh's figures.
+/// `volumeDifference`: of the mesh's volume from the domain's, as a share of that.
+void summarize(Fidelity &fidelity, double volumeDifference, double domainMeasure);
+
 /// Whether the Jacobian of the block is positive everywhere: +1 certified, -1 refuted, 0 neither within the
 /// depth of subdivision. `ratio` is the smallest Bezier coefficient met over the largest, `measure` the
 /// block's area or volume.

@@ -169,20 +169,13 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
                          std::to_string(face.patch) + describe(fault),
                      {{"element", face.owner}, {"facet", face.patch}});
   }
-  for (const SideFidelity &side : measures.sides) {
-    certificate.fidelity.largestDistance = std::max(certificate.fidelity.largestDistance, side.distance);
-    certificate.fidelity.largestDepth = std::max(certificate.fidelity.largestDepth, side.depth);
-    certificate.fidelity.largestTurning = std::max(certificate.fidelity.largestTurning, side.turning);
-    certificate.fidelity.strayed += side.strayed / certificate.domainMeasure;
-  }
-  certificate.fidelity.volumeDifference = certificate.meshMeasure / certificate.domainMeasure - 1;
-  certificate.fidelity.strayed = // see summarizeFidelity
-      std::max(std::abs(certificate.fidelity.volumeDifference), certificate.fidelity.strayed);
+  certificate.fidelity.sides = std::move(measures.sides);
+  summarize(certificate.fidelity, certificate.meshMeasure / certificate.domainMeasure - 1,
+            certificate.domainMeasure);
   if (!(certificate.fidelity.strayed <= kMostStrayed) && !in.mayStayStraight)
     certificate.fail(Check::features,
                      scientific(100 * certificate.fidelity.strayed) +
                          " % of the domain's volume lies between its bent sides and the elements");
-  certificate.fidelity.sides = std::move(measures.sides);
 }
 
 void checkEmbedding(const ElementInput<3> &in, Certificate &certificate) {

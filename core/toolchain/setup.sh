@@ -14,7 +14,7 @@ if [ "${1:-}" = test ]; then
   packages="$packages clang-format clang-tidy clang libclang-rt-14-dev"
   # Programs that open our files: about 120 MB to fetch. Tests skip those that are absent.
   packages="$packages gmsh calculix-ccx python3-meshio openfoam cgns-convert"
-  [ -n "${CHROMIUM:-}" ] || packages="$packages chromium"
+  [ -n "${CHROMIUM:-}" ] || packages="$packages chromium-headless-shell"
 fi
 
 # 1. Node and npm: the only things that have to be here already.

@@ -2,6 +2,8 @@
 // meshes; bounds on the blocks of the others.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "support/examples.h"
 
 namespace dualblock::test {

@@ -4,6 +4,8 @@
 // of the method changes the digests, `npx vitest run same-as-native -u` writes the new ones.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "support/examples.h"
 
 namespace dualblock {

@@ -1,7 +1,7 @@
 // What each step is, in two sentences, where the paper has it, and its numbers for the shown model.
 
 import type { Refinement } from '../../../wasm/refine.ts';
-import { featureKinds, summarize, tallyFeatures } from '../../../wasm/report.ts';
+import { featureKinds, percent, summarize, tallyFeatures } from '../../../wasm/report.ts';
 import type { Certificate, Check, RunResult } from '../../../wasm/result.ts';
 import { reasons } from '../display/contributions.ts';
 import type { Entity, LayerId, LayerSetting, Step, ViewState } from '../state/view-state.ts';
@@ -261,8 +261,6 @@ const fidelityText = ({ isExact, fidelity }: Certificate): string =>
   isExact
     ? ''
     : ` Bent sides are up to ${percent(fidelity.largestDistance)} of a face’s size off it, up to ${percent(fidelity.largestDepth)} of the thickness behind one, and turn by up to ${fidelity.largestTurning.toFixed(0)}° within one; ${percent(fidelity.strayedVolume)} of the volume lies between.`;
-
-const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;
 
 function blockTexts(result: RunResult): CheckText[] {
   const { dimension, reference, contributions, primal, mesh, domain, features, certificate } = result;
