@@ -27,7 +27,7 @@ template <int N> val refinedToJs(const RefinedMesh<N> &refined) {
   m.set("placeOffsets", toJs<Index>(refined.places.offsets));
   m.set("places", toJs<double>(refined.places.items));
   m.set("isReversed", toJs<std::uint8_t>(refined.isReversed));
-  m.set("straightened", refined.straightened);
+  m.set("straightened", refined.straightened.size());
   return m;
 }
 

@@ -264,7 +264,7 @@ export function describe(report: Report): string {
 
 /** What to do about elements that their certificate refuses, though their blocks have passed. */
 export const refusedElements =
-  'The blocks are certified, these elements are not: give other numbers of intervals, or take the blocks.';
+  'The blocks are certified, these elements are not: give other numbers of intervals, smaller facets where the domain bends sharply, or take the blocks.';
 
 /** A share in words. */
 export const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;

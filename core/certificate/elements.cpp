@@ -135,6 +135,18 @@ std::vector<double> columnsOf(const ElementInput<3> &in) {
   return columns;
 }
 
+/// Per block, whether its elements may leave the bent sides: it stays straight, or touches one that does.
+std::vector<bool> mayLeaveSides(const ElementInput<3> &in) {
+  std::vector<bool> may(in.blocks.blocks.size(), false);
+  if (!in.mayStayStraight) return may;
+  std::vector<bool> isStraight(in.blocks.positions.size(), false); // nodes
+  for (const Index b : in.refined.straightened)
+    for (const Index n : in.blocks.blocks[at(b)]) isStraight[at(n)] = true;
+  for (std::size_t b = 0; b < may.size(); ++b)
+    for (const Index n : in.blocks.blocks[b]) may[b] = may[b] || isStraight[at(n)];
+  return may;
+}
+
 void checkSides(const ElementInput<3> &in, Certificate &certificate) {
   std::vector<bool> bentPatch(in.patchOfSurface.size(), false);
   for (const Index p : in.bent.patchOfFace) bentPatch[at(p)] = true;
@@ -161,9 +173,10 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
   for (std::size_t t = 0; t < in.bent.faces.size(); ++t)
     triangles.push_back({in.bent.faces[t], in.bent.patchOfFace[t]});
   SideMeasures measures = measureSides(in.refined.positions, faces, triangles, kSamples);
+  const std::vector<bool> mayLeave = mayLeaveSides(in);
   for (const FaceFault &fault : measures.faults) {
     const SideFace &face = faces[at(fault.face)];
-    if (in.mayStayStraight) break;
+    if (mayLeave[at(in.refined.block[at(face.owner)])]) continue;
     certificate.fail(Check::features,
                      "element " + std::to_string(face.owner) + " strays from the bent side of facet " +
                          std::to_string(face.patch) + describe(fault),
@@ -172,7 +185,8 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
   certificate.fidelity.sides = std::move(measures.sides);
   summarize(certificate.fidelity, certificate.meshMeasure / certificate.domainMeasure - 1,
             certificate.domainMeasure);
-  if (!(certificate.fidelity.strayed <= kMostStrayed) && !in.mayStayStraight)
+  const bool mayStray = in.mayStayStraight && !in.refined.straightened.empty();
+  if (!(certificate.fidelity.strayed <= kMostStrayed) && !mayStray)
     certificate.fail(Check::features,
                      scientific(100 * certificate.fidelity.strayed) +
                          " % of the domain's volume lies between its bent sides and the elements");
@@ -203,9 +217,9 @@ template <int N> Certificate certifyElements(const ElementInput<N> &in) {
       checkEmbedding(in, certificate);
       checkSides(in, certificate);
     }
-  if (in.refined.straightened > 0 && !in.mayStayStraight)
+  if (!in.refined.straightened.empty() && !in.mayStayStraight)
     certificate.fail(Check::features,
-                     std::to_string(in.refined.straightened) +
+                     std::to_string(in.refined.straightened.size()) +
                          " block(s) keep straight elements beside a bent side, off the domain: give other "
                          "intervals, or ask for straight elements");
   return certificate;

@@ -14,7 +14,8 @@ template <int N> struct ElementInput {
   const std::vector<Index> &patchOfSurface;
   const BentFacets<N> &bent;
   double domainMeasure; // 0: not known
-  bool mayStayStraight; // elements that stay straight beside a bent side may leave it as far as they do
+  bool mayStayStraight; // elements of blocks that stay straight beside a bent side, and what is next to them,
+                        // may leave it as far as they do
 };
 
 /// Checks 3 to 5 of the elements: faces fit together on opposite sides and make the boundary that is handed

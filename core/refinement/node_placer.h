@@ -47,7 +47,7 @@ public:
 
   bool isStraightEdge(Index edge) const { return isStraightEdge_[at(edge)]; }
   /// Blocks that had to stay straight.
-  Index straightened() const { return straightened_; }
+  const std::vector<Index> &straightened() const { return straightened_; }
 
 private:
   void placeEdges() {
@@ -267,7 +267,7 @@ private:
   }
 
   void straighten(Index b) {
-    ++straightened_;
+    straightened_.push_back(b);
     for (const Index e : skeleton_.edgesOf[at(b)]) mayBendEdge_[at(e)] = false;
     if constexpr (N == 3)
       for (const Index f : skeleton_.facesOf[at(b)]) mayBendFace_[at(f)] = false;
@@ -301,7 +301,7 @@ private:
   std::vector<bool> mayBendEdge_, mayBendFace_; // not where that made a block invalid
   std::vector<bool> isStraightEdge_, isStraightFace_;     // as they are now
   std::vector<bool> follows_, edgeFollows_, faceFollows_; // blocks, and what they have
-  Index straightened_ = 0;
+  std::vector<Index> straightened_;                       // blocks
 };
 
 } // namespace dualblock

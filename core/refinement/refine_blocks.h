@@ -23,7 +23,8 @@ template <int N> struct RefinedMesh {
   std::vector<Index> intervals; // per D-bar-surface; 0 for one that is not in the mesh
   Lists<double> places;         // per D-bar-surface, as in Spacing
   std::vector<std::array<std::uint8_t, N>> isReversed; // per block and axis: its surface runs against it
-  Index straightened = 0; // blocks that bent sides would have made invalid: their elements are straight
+  std::vector<Index>
+      straightened; // blocks that bent sides would have made invalid: their elements are straight
 };
 
 /// Divides valid blocks. Nodes on bent sides and curves lie on them; where an element would be inverted

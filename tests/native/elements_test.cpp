@@ -131,9 +131,9 @@ TYPED_TEST(Elements, ElementsThatDoNotFillTheBlocks) {
 TYPED_TEST(Elements, BlocksThatStayStraight) {
   constexpr int N = TypeParam::value;
   expectCaught<N>(straight<N>(), Check::features, "keep straight elements",
-                  [](auto &r) { r.mesh.straightened = 1; });
+                  [](auto &r) { r.mesh.straightened = {0}; });
   Refined<N> r = straight<N>();
-  r.mesh.straightened = 1;
+  r.mesh.straightened = {0};
   EXPECT_TRUE(r.certificate(true).valid);
 }
 
@@ -157,10 +157,12 @@ TEST(ElementsOfBentSides, AcceptsWhatRefinementMakes) {
 // behind them.
 TEST(ElementsOfBentSides, FarFromTheirSide) {
   for (const auto &[wall, isWrong] : {std::pair{0.21, false}, {0.19, true}}) { // 0.64 and 0.71 of it
-    const Refined<3> r(BlockRow(arcRoof(60, 8), wall, 1), 1);
+    Refined<3> r(BlockRow(arcRoof(60, 8), wall, 1), 1);
     const Certificate c = r.certificate();
     EXPECT_EQ(failuresOf(c).find("of the thickness") != std::string::npos, isWrong) << failuresOf(c);
     EXPECT_EQ(c.fidelity.largestDepth, c.fidelity.sides[0].depth);
+    EXPECT_EQ(r.certificate(true).valid, !isWrong); // asked for or not: no block stays straight
+    r.mesh.straightened = {0};
     EXPECT_TRUE(r.certificate(true).valid);
   }
   EXPECT_TRUE(Refined<3>(BlockRow(arcRoof(60, 8), 0.3, 1), 1).certificate().valid);
@@ -181,13 +183,27 @@ TEST(ElementsOfBentSides, FarFromTheirSide) {
   EXPECT_NE(failuresOf(floor.certificate()).find("of its face's size"), std::string::npos);
 }
 
+// Four blocks in a row, of which the last one strays: it may where it stays straight, or its neighbour does.
+TEST(ElementsOfBentSides, WhatIsNotBesideAStraightBlock) {
+  Refined<3> r(BlockRow(arcRoof(60, 8), 0.01, 1, {1, 2, 3}), 1);
+  for (const auto &[block, isWrong] : {std::pair{0, true}, {1, true}, {2, false}, {3, false}}) {
+    r.mesh.straightened = {block};
+    const Certificate c = r.certificate(true);
+    EXPECT_EQ(failuresOf(c).find("element 3 strays from the bent side") != std::string::npos, isWrong)
+        << block;
+    EXPECT_EQ(c.valid, !isWrong) << failuresOf(c);
+  }
+}
+
 TEST(ElementsOfBentSides, VolumesFarApart) {
   for (const auto &[wall, isWrong] :
        {std::pair{0.5, false}, {0.33, true}}) { // 0.27 and 0.36 of it are in the roof
-    const Refined<3> r(BlockRow(arcRoof(110, 16), wall, 1), 1);
+    Refined<3> r(BlockRow(arcRoof(110, 16), wall, 1), 1);
     const Certificate c = r.certificate();
     EXPECT_EQ(failuresOf(c).find("between its bent sides and the elements") != std::string::npos, isWrong)
         << c.fidelity.strayed;
+    EXPECT_EQ(r.certificate(true).valid, !isWrong);
+    r.mesh.straightened = {0};
     EXPECT_TRUE(r.certificate(true).valid);
   }
 }

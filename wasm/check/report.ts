@@ -106,6 +106,6 @@ function describeComparison(
 ): string {
   const how = isApproximate ? '  curved surface, approximated: ' : '  ';
   const off = `${how}${measure} differs by ${difference.toPrecision(3)}, boundary nodes are off by at most ${largestDistance.toPrecision(3)}`;
-  if (!fidelity) return off;
+  if (!fidelity || fidelity.largestDistance + fidelity.largestTurning === 0) return off; // or not measured
   return `${off}\n  faces and edges stand for what is off by up to ${fidelity.largestDistance.toPrecision(2)} of their size, and turns by up to ${fidelity.largestTurning.toFixed(0)} degrees`;
 }

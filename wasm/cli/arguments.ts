@@ -1,4 +1,5 @@
 // The command line as a value: strict, so that a slip never changes what is computed.
+import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { type Mode, modes, type Objective, objectives } from '../settings.ts';
 import { findOption, nearestOption, options } from './options.ts';
@@ -75,12 +76,16 @@ export function parseArguments(words: readonly string[]): Command {
   }
   const report = first('report') ?? null;
   const files = [...outputs, ...(report === null || report === '-' ? [] : [report])];
-  const twice = files.find((file, i) => files.indexOf(file) !== i);
+  const twice = files.find((file, i) => files.slice(0, i).some((other) => isSameFile(file, other)));
   if (twice !== undefined)
     throw new UsageError(`${quote(twice)} would be written twice`, 'give every output a name of its own');
+  const source = sourceOf(inputs, first('example'));
+  const lost = files.find((file) => source.kind === 'file' && isSameFile(file, source.path));
+  if (lost !== undefined)
+    throw new UsageError(`${quote(lost)} would replace the domain`, 'give every output a name of its own');
   return {
     kind: 'run',
-    source: sourceOf(inputs, first('example')),
+    source,
     outputs,
     report,
     quiet: given.has('quiet'),
@@ -88,6 +93,9 @@ export function parseArguments(words: readonly string[]): Command {
     refinement: refinementOf(given),
   };
 }
+
+/** By their paths alone: links are not followed. */
+const isSameFile = (a: string, b: string): boolean => resolve(a) === resolve(b);
 
 function checkOf(inputs: string[], given: Map<string, string[]>): Command {
   for (const name of [
@@ -107,7 +115,7 @@ function checkOf(inputs: string[], given: Map<string, string[]>): Command {
   const first = (name: string): string | undefined => given.get(name)?.[0];
   const [mesh, ...others] = inputs;
   if (mesh === undefined)
-    throw new UsageError('there is no mesh to check', 'name a .vtk, .vtu, .msh, .mesh or .json file');
+    throw new UsageError('there is no mesh to check', 'name a .vtk, .vtu, .msh, .mesh, .inp or .json file');
   if (mesh === '' || mesh === '-')
     throw new UsageError('the mesh is not read from standard input', 'name a file');
   if (others.length > 1)
@@ -120,7 +128,7 @@ function checkOf(inputs: string[], given: Map<string, string[]>): Command {
   const tolerance = first('tolerance');
   const featureAngle = first('feature-angle');
   const report = first('report') ?? null;
-  if (report !== null && inputs.includes(report))
+  if (report !== null && inputs.some((input) => isSameFile(report, input)))
     throw new UsageError(`the report would replace ${quote(report)}`, 'give it a name of its own');
   return {
     kind: 'check',
