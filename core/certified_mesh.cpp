@@ -8,6 +8,7 @@
 #include "geometry/jacobian.h"
 #include "geometry/placement.h"
 #include "geometry/turn_placement.h"
+#include "partition/heuristics.h"
 
 namespace dualblock {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 // Marked noinline: the module is 1 kB (gzip) smaller if these are there once for each dimension.
 constexpr Index kLongestHistory = 5000;
 constexpr int kRepairRounds = 12;
-// Of the worst scaled Jacobian: what has to be left of it in other places for them not to be a makeshift.
-constexpr double kKeptShape = 0.7;
 
 /// The primal's nodes, moved to where its blocks have a better shape.
 /// `holdsBent`: those on bent sides stay.

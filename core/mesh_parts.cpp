@@ -5,15 +5,11 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_cuts.h"
 
 namespace dualblock {
 namespace {
-
-constexpr int kBlameRounds = 4;        // then all components fall back
-constexpr Index kCheapToHalve = 60000; // simplices, up to which parts that do not serve are halved
-constexpr int kHalvings = 8;           // rounds of that
-constexpr int kHalvedAlone = 40;       // cuts of single parts that are tried in all of them
 
 /// The components of what the certificate's failures name, of those that can still change; all of them where
 /// a failure names nothing that belongs to one.

@@ -7,9 +7,6 @@
 
 namespace dualblock {
 
-/// Scaled Jacobian of a mesh of bent parts below which others are tried.
-inline constexpr double kPoorShape = 0.1;
-
 /// Meshes the parts of `choice`. Parts that the certificate blames are halved; where that does not serve,
 /// their components go down the ladder of the fallback, if they may. False if they may not, or there is no
 /// coarsest mesh for them.

@@ -6,6 +6,7 @@
 
 #include "contributions/given_matching.h"
 #include "mesh_parts.h"
+#include "partition/heuristics.h"
 #include "reference/culprits.h"
 #include "stage_clock.h"
 

@@ -3,17 +3,11 @@
 #include <numbers>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_proposals.h"
 
 namespace dualblock {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMostLean = 70 * kDegree; // of a side's normals from their mean: a half cylinder's do by 90
-constexpr double kHollowLean = 30 * kDegree; // where hollow sides count
-constexpr double kNearMiddle = 37 * kDegree; // corners that are this near to the middle attract a cut
-constexpr double kMostTurn = 240 * kDegree;  // of a curve, whose halves get an edge each
-constexpr double kLeastTurn = 5 * kDegree;   // of a curve that is worth halving
 
 /// Whether a side turns away from its mean normal too far.
 bool turnsTooFar(const PartView &v, Index side) {
@@ -118,9 +112,8 @@ struct Bends {
 };
 
 Bends bendsOf(const PartView &v, const Chain &chain) {
-  constexpr std::size_t kMany = 16;
   Bends bends;
-  const std::size_t stride = std::max<std::size_t>(1, chain.nodes.size() / kMany);
+  const std::size_t stride = std::max<std::size_t>(1, chain.nodes.size() / kManyNodes);
   const auto direction = [&](std::size_t from, std::size_t to) {
     return glm::normalize(v.node(chain.nodes[to]) - v.node(chain.nodes[from]));
   };
@@ -136,14 +129,13 @@ Bends bendsOf(const PartView &v, const Chain &chain) {
 
 /// Square to a chain at one of its nodes; through the axis where it is an arc of a circle.
 Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
-  constexpr double kRound = 0.01; // of the radius
   const Vec<3> x = v.node(chain.nodes[place]);
   Vec<3> normal =
       glm::normalize(x - v.node(chain.nodes[place - 1])) + glm::normalize(v.node(chain.nodes[place + 1]) - x);
   if (Axis axis; axisOf(chain, v.mesh.nodes, v.axes, axis)) {
     const double radius = glm::length(x - axis.centre);
     const bool isArc = std::all_of(chain.nodes.begin(), chain.nodes.end(), [&](Index n) {
-      return std::abs(glm::length(v.node(n) - axis.centre) - radius) <= kRound * radius;
+      return std::abs(glm::length(v.node(n) - axis.centre) - radius) <= kArc * radius;
     });
     if (isArc) normal = glm::cross(axis.direction, x - axis.centre);
   }
@@ -175,13 +167,13 @@ std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wante
 } // namespace
 
 std::vector<Proposal> following(const PartView &v) {
-  return acrossCurves(v, kMostTurn, [&](const Curve<3> &curve) {
+  return acrossCurves(v, kMostCurveTurn, [&](const Curve<3> &curve) {
     return v.isGiven(curve.sides[0]) && v.isGiven(curve.sides[1]);
   });
 }
 
 std::vector<Proposal> halving(const PartView &v) {
-  return acrossCurves(v, kLeastTurn, [&](const Curve<3> &curve) {
+  return acrossCurves(v, kLeastCurveTurn, [&](const Curve<3> &curve) {
     return std::any_of(curve.sides.begin(), curve.sides.end(),
                        [&](Index side) { return v.isGiven(side) && v.isBent(side); });
   });

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_proposals.h"
 
 namespace dualblock {
@@ -11,7 +12,6 @@ namespace {
 /// Tells planes through the axis that divide a chain along or across its length: of a circle's all do. Others
 /// would leave parts that are skew.
 auto principalPlanes(const PartView &v, const Chain &chain, const Axis &axis) {
-  constexpr double kSkew = 0.01;                                        // of the second moments
   std::array<Vec<3>, 3> moments{Vec<3>(0.0), Vec<3>(0.0), Vec<3>(0.0)}; // by rows
   double sum = 0;
   for (const Segment<3> &s : segmentsOf(chain, v.mesh.nodes)) {
@@ -23,7 +23,7 @@ auto principalPlanes(const PartView &v, const Chain &chain, const Axis &axis) {
   return [=](const Plane<3> &plane) {
     const Vec<3> along = glm::cross(axis.direction, plane.normal);
     const Vec<3> row(glm::dot(moments[0], along), glm::dot(moments[1], along), glm::dot(moments[2], along));
-    return std::abs(glm::dot(plane.normal, row)) <= kSkew * sum;
+    return std::abs(glm::dot(plane.normal, row)) <= kPrincipal * sum;
   };
 }
 
@@ -132,22 +132,19 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
                                         half ? halfOf(v, loop.chain, axis, towards) : std::move(from)});
   }
   sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
-  constexpr std::size_t kTried = 8;
   std::vector<Proposal> list;
-  for (std::size_t k = 0; k < std::min(ranked.size(), kTried); ++k)
+  for (std::size_t k = 0; k < std::min(ranked.size(), kAxisPlanes); ++k)
     list.push_back(std::move(ranked[k].second));
   return list;
 }
 
 Plane<3> plainPlane(const PartView &v, const Plane<3> &plane) {
-  constexpr double kSame = 1 - 2e-8; // cosine of 2e-4
-  constexpr double kNear = 1e-4;     // of the domain's size
   const double reach = kOnAxis * v.mesh.size;
   std::optional<Plane<3>> plain;
   const auto offer = [&](const Vec<3> &point, const Vec<3> &across) {
     if (plain || !(glm::length(across) > 1e-3)) return;
     const double cosine = glm::dot(glm::normalize(across), plane.normal);
-    if (std::abs(cosine) > kSame && std::abs(plane.distance(point)) <= kNear * v.mesh.size)
+    if (std::abs(cosine) > kPlainCosine && std::abs(plane.distance(point)) <= kPlainDistance * v.mesh.size)
       plain = planeThrough(point, cosine < 0 ? -across : across);
   };
   for (const Axis &a : v.axes)

@@ -5,15 +5,12 @@
 #include <optional>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_proposals.h"
 #include "reference/refine.h"
 
 namespace dualblock {
 namespace {
-
-constexpr double kAlike = 1e-6;            // of the domain's size: mirror images
-constexpr std::size_t kProposalsAlone = 6; // of one part
-constexpr std::size_t kMostSpread = 8;     // parts that such a cut may add
 
 /// No curve at all: through the middle, across the direction in which the part extends least; of directions
 /// that are as good the coordinate axes, z first, go before.
@@ -92,9 +89,8 @@ bool isBetween(const Plane<3> &plane, const std::vector<Segment<3>> &behind,
 std::optional<Plane<3>> planeBetween(const PartView &v, const Plane<3> &given,
                                      const std::vector<Segment<3>> &behind,
                                      const std::vector<Segment<3>> &front) {
-  constexpr double kLike = 0.95; // cosine
   std::optional<Plane<3>> best;
-  double most = kLike;
+  double most = kLikeCosine;
   for (const Axis &axis : v.axes) {
     std::vector<Vec<3>> normals{given.normal};
     for (int k = 0; k < 3; ++k) {
@@ -146,7 +142,7 @@ std::optional<Proposal> separate(const PartView &v, const std::vector<Chain> &ch
         double least = std::numeric_limits<double>::infinity();
         const Vec<3> image = x - 2 * plane.distance(x) * plane.normal;
         for (const Segment<3> &o : others) least = std::min(least, distanceTo<3>(o, image));
-        mirrored &= least <= kAlike * v.mesh.size;
+        mirrored &= least <= kMirrored * v.mesh.size;
       }
     if (mirrored) return proposal;
     if (const auto between = planeBetween(v, plane, first, others)) {

@@ -83,6 +83,4 @@ std::vector<Proposal> halving(const PartView &part);
 /// one that does: nodes near which surfaces touch are inexact, and planes by them would leave slivers.
 Plane<3> plainPlane(const PartView &part, const Plane<3> &plane);
 
-inline constexpr double kOnAxis = 1e-6; // of the domain's size: nearer than this is on the axis
-
 } // namespace dualblock

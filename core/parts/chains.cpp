@@ -1,6 +1,7 @@
 #include "parts/chains.h"
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include <cmath>
 
 namespace dualblock {
@@ -78,11 +79,10 @@ bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis) {
   if (!chain.closed) return axisThrough(node(0), node(count / 2), node(count - 1), axis);
   // A circle's nodes need not be evenly spaced: their mean would be beside the centre.
   if (axisThrough(node(0), node(count / 3), node(2 * count / 3), axis)) {
-    constexpr double kRound = 1e-4; // of the radius
     const double radius = glm::length(node(0) - axis.centre);
     bool isCircle = true;
     for (std::size_t k = 0; k < count && isCircle; ++k)
-      isCircle = std::abs(glm::length(node(k) - axis.centre) - radius) <= kRound * radius;
+      isCircle = std::abs(glm::length(node(k) - axis.centre) - radius) <= kCircle * radius;
     if (isCircle) return true;
   }
   Vec<3> area{0.0};
@@ -109,13 +109,12 @@ std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes
 
 const Axis *knownAxis(const std::vector<Axis> &known, const Chain &chain, const std::vector<Vec<3>> &nodes,
                       const Axis &axis) {
-  constexpr double kSameCosine = 0.998;
-  constexpr double kSamePlace = 0.05; // of the radius
   const double radius = glm::length(nodes[at(chain.nodes[0])] - axis.centre);
   for (const Axis &k : known) {
-    if (std::abs(glm::dot(k.direction, axis.direction)) < kSameCosine) continue;
+    if (std::abs(glm::dot(k.direction, axis.direction)) < kSameAxisCosine) continue;
     const Vec<3> beside = axis.centre - k.centre;
-    if (glm::length(beside - glm::dot(beside, k.direction) * k.direction) <= kSamePlace * radius) return &k;
+    if (glm::length(beside - glm::dot(beside, k.direction) * k.direction) <= kSameAxisPlace * radius)
+      return &k;
   }
   return nullptr;
 }

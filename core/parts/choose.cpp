@@ -1,4 +1,5 @@
 #include "parts/choose.h"
+#include "partition/heuristics.h"
 
 #include <cmath>
 #include <limits>
@@ -8,10 +9,6 @@ namespace dualblock {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr Index kCheap = 10000;    // simplices, up to which other policies are tried
-constexpr double kGoodSine = 0.17; // of 10 and 170 degrees: what is less distorted needs no more blocks
-constexpr double kAngle = 178 * std::numbers::pi / 180;
-constexpr double kSnap = std::numbers::pi / 8;
 
 /// The smallest sine of an angle between two faces.
 template <int N> double smallestSine(const ReferenceMesh<N> &mesh, Index s) {
@@ -26,8 +23,8 @@ template <int N> double smallestSine(const ReferenceMesh<N> &mesh, Index s) {
 
 /// Fewer blocks, but not so much worse; or as many and better.
 bool isBetter(const Score &a, const Score &b) {
-  if (a.blocks < b.blocks) return a.worstSine >= std::min(kGoodSine, 0.5 * b.worstSine);
-  return a.blocks == b.blocks && a.blocks < kNever && a.worstSine > b.worstSine + 1e-9;
+  if (a.blocks < b.blocks) return a.worstSine >= std::min(kGoodSine, kWorseSine * b.worstSine);
+  return a.blocks == b.blocks && a.blocks < kNever && a.worstSine > b.worstSine + kSameSine;
 }
 
 /// A policy's result for the whole domain.
@@ -138,12 +135,12 @@ template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
   for (const Curve<N> &curve : uncut.curves) {
     if (!standard.wantsCut(curve.angle)) continue;
     ++wanting;
-    isFlat |= curve.angle <= kAngle;
+    isFlat |= curve.angle <= kNearlyFlatAngle;
   }
   std::vector<CutPolicy> policies{standard};
   if (wanting > 1) policies.push_back({standard.largestAngle, kSnap});
-  if (isFlat) policies.push_back({kAngle, 0});
-  if (isFlat && wanting > 1) policies.push_back({kAngle, kSnap});
+  if (isFlat) policies.push_back({kNearlyFlatAngle, 0});
+  if (isFlat && wanting > 1) policies.push_back({kNearlyFlatAngle, kSnap});
   return policies;
 }
 
@@ -152,7 +149,7 @@ template <int N> std::vector<CutPolicy> policiesFor(const Parts<N> &uncut) {
 template <int N> std::optional<CutPolicy> lastPolicyFor(const ReferenceMesh<N> &mesh) {
   CutPolicy policy;
   policy.isLast = true;
-  policy.largestAngle = kAngle;
+  policy.largestAngle = kNearlyFlatAngle;
   const bool isBent =
       std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<N> &s) { return s.bent; });
   return isBent ? std::optional(policy) : std::nullopt;

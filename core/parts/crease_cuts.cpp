@@ -1,5 +1,6 @@
 // Cuts along creases of bent sides.
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_proposals.h"
 
 namespace dualblock {
@@ -37,8 +38,6 @@ std::vector<std::array<Index, 2>> reflexRidges(const PartView &v, Index side) {
 } // namespace
 
 std::optional<Proposal> throughCrease(const PartView &v, Index side) {
-  constexpr std::size_t kLeastNodes = 4; // slivers of a coarse tessellation have fewer
-  constexpr double kFlat = 1e-5;         // of the domain's size
   const auto ridges = reflexRidges(v, side);
   Curve<3> curve{};
   curve.ridges = ridges;
@@ -46,9 +45,10 @@ std::optional<Proposal> throughCrease(const PartView &v, Index side) {
   for (Chain &chain : chainsOf(curve))
     if (chain.nodes.size() > longest.nodes.size()) longest = std::move(chain);
   Axis axis;
-  if (longest.nodes.size() < kLeastNodes || !axisOf(longest, v.mesh.nodes, axis)) return std::nullopt;
+  if (longest.nodes.size() < kLeastCrease || !axisOf(longest, v.mesh.nodes, axis)) return std::nullopt;
   for (const Index node : longest.nodes)
-    if (std::abs(glm::dot(v.node(node) - v.node(longest.nodes[0]), axis.direction)) > kFlat * v.mesh.size)
+    if (std::abs(glm::dot(v.node(node) - v.node(longest.nodes[0]), axis.direction)) >
+        kFlatCrease * v.mesh.size)
       return std::nullopt;
   return Proposal{planeSurface(v.node(longest.nodes[0]), axis.direction), std::move(longest.nodes)};
 }

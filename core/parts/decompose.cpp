@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/bent_cuts.h"
 #include "parts/corner_cuts.h"
 #include "parts/place.h"
@@ -11,21 +12,13 @@
 namespace dualblock {
 namespace {
 
-constexpr int kReflexRounds = 4;
-constexpr int kVertexRounds = 40;
-constexpr int kBentRounds = 80;
-constexpr double kBentShare = 0.4; // bent cuts are dear, and those that help come early
-// Cuts for shape that make more than so many times the parts, and so many more, are taken back.
-constexpr std::size_t kMoreParts = 3;
-constexpr std::size_t kFewMoreParts = 6;
-
 /// What each component may still spend. Where planes cross so often that they multiply the mesh, or the parts
 /// would give more blocks than the fallback, that is cheaper and no worse.
 template <int N> class Budget {
 public:
   /// `limit`: of the mesh's simplices; 0: none.
   Budget(const ReferenceMesh<N> &mesh, Index limit) : gaveUp(at(mesh.componentCount), false), limit_(limit) {
-    for (const Index n : sizes(mesh)) limits_.push_back(40 * n + 20000);
+    for (const Index n : sizes(mesh)) limits_.push_back(kTimesSimplices * n + kMoreSimplices);
   }
 
   /// Of all components together.
@@ -142,8 +135,7 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   Index lastCount = mesh.simplexCount();
   for (const Curve<N> *curve : wanting) {
     if (budget.gaveUp[at(component[at(curve->part)])]) continue;
-    // Often enough to stop in time, seldom enough to cost nothing.
-    if (mesh.simplexCount() > 1.25 * lastCount) {
+    if (mesh.simplexCount() > kRecount * lastCount) {
       lastCount = mesh.simplexCount();
       budget.update(mesh);
     }

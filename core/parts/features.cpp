@@ -2,12 +2,12 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include <numbers>
 
 namespace dualblock {
 
 CurveKind curveKind(double angle) {
-  constexpr double kDegree = std::numbers::pi / 180;
   if (angle <= 135 * kDegree + kAngleSlack) return CurveKind::end;
   if (angle <= 225 * kDegree + kAngleSlack) return CurveKind::side;
   return angle <= 315 * kDegree + kAngleSlack ? CurveKind::corner : CurveKind::reversal;

@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/place.h"
 #include "parts/ridge.h"
 #include "parts/sectors.h"
@@ -19,22 +20,16 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSamePlane = 1e-7;   // radians between directions that count as the same
-constexpr double kNearPlane = 0.1;    // and that nearly do
-constexpr double kSheetSagitta = 0.2; // resolve: sheets may cross at any angle; dishes are crossed steeply,
-constexpr double kDishSagitta = 0.05; // where a fold would be crossed twice
-constexpr double kAlike = pi / 18; // angles along a run that differ by less do so by the bent side's facets
-
 /// Whether the plane already is a split surface at this ridge, on either side of it.
 template <int N>
 bool isCutAlready(const ReferenceMesh<N> &mesh, const Ridge<N> &ridge, const RidgeFrame<N> &frame,
                   const Plane<N> &plane, Index facetSurfaces) {
-  constexpr double kSame = 1e-6; // radians, as nodes count as in a plane by 1e-6 of the domain's size
   const Vec<N> along =
       glm::dot(plane.normal, frame.outward) * frame.into - glm::dot(plane.normal, frame.into) * frame.outward;
   for (const double sign : {1.0, -1.0}) {
     const double direction = directionOf<N>(frame, sign * along);
-    if (isCutWithin(mesh, ridge, frame, {direction - kSame, direction + kSame}, facetSurfaces)) return true;
+    if (isCutWithin(mesh, ridge, frame, {direction - kCutAlready, direction + kCutAlready}, facetSurfaces))
+      return true;
   }
   return false;
 }
@@ -92,8 +87,8 @@ std::optional<double> steadyAngle(const ReferenceMesh<N> &mesh, const Curve<N> &
   if (surfaceOf(mesh, curve, run[0], 0).bent == surfaceOf(mesh, curve, run[0], 1).bent) return std::nullopt;
   const double mean = meanAngle<N>(curve, run);
   for (const std::size_t k : run)
-    if (std::abs(curve.frames[k].angle - mean) > kAlike) return std::nullopt;
-  return std::abs(mean - 1.5 * pi) < kAlike ? 1.5 * pi : mean;
+    if (std::abs(curve.frames[k].angle - mean) > kSameAlongRun) return std::nullopt;
+  return std::abs(mean - 1.5 * pi) < kSameAlongRun ? 1.5 * pi : mean;
 }
 
 /// The direction of a sector's plane at a ridge of a run.
@@ -118,7 +113,7 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
   const auto planeOf = [&](std::size_t k) {
     const RidgeFrame<N> &frame = curve.frames[k];
     for (std::size_t side = 0; side < 2; ++side)
-      if (std::abs(direction(k) - (side == 0 ? pi : frame.angle - pi)) < kSamePlane)
+      if (std::abs(direction(k) - (side == 0 ? pi : frame.angle - pi)) < kSameDirection)
         return surfaceOf(mesh, curve, k, side).plane;
     return planeAt(mesh.nodes[at(curve.ridges[k].front())], frame, direction(k));
   };
@@ -132,7 +127,7 @@ Surface<N> surfaceThrough(const ReferenceMesh<N> &mesh, const Curve<N> &curve,
       for (std::size_t side = 0; side < 2; ++side) {
         const Surface<N> &facet = surfaceOf(mesh, curve, k, side);
         const double turn = glm::length(glm::cross(facet.plane.normal, surface.plane.normal));
-        surface.bent |= facet.bent && turn > kSamePlane && turn < kNearPlane;
+        surface.bent |= facet.bent && turn > kSameDirection && turn < kNearDirection;
       }
     if (!surface.bent) return surface;
     SheetStart start{curve, run, {}, rangeOfSheet(curve, run, sector)};

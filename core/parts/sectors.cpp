@@ -1,4 +1,5 @@
 #include "parts/sectors.h"
+#include "partition/heuristics.h"
 
 #include <bit>
 #include <cmath>
@@ -35,8 +36,6 @@ std::vector<double> sectorPlanes(CurveKind kind, double angle) {
 }
 
 DirectionRange rangeOfSector(CurveKind kind, double angle, std::size_t sector, double snap) {
-  constexpr double kLeast = pi / 4;
-  constexpr double kMost = 3 * pi / 4;
   if (kind == CurveKind::end || kind == CurveKind::reversal)
     return {1, 0}; // both sectors of a whole plane count
   const std::vector<double> planes = sectorPlanes(kind, angle);
@@ -47,8 +46,8 @@ DirectionRange rangeOfSector(CurveKind kind, double angle, std::size_t sector, d
     if (other < nominal) before = std::max(before, other);
     if (other > nominal) after = std::min(after, other);
   }
-  return {std::max({nominal - snap, before + kLeast, after - kMost}),
-          std::min({nominal + snap, after - kLeast, before + kMost})};
+  return {std::max({nominal - snap, before + kLeastSector, after - kMostSector}),
+          std::min({nominal + snap, after - kLeastSector, before + kMostSector})};
 }
 
 template <int N> double directionOf(const RidgeFrame<N> &frame, const Vec<N> &away) {

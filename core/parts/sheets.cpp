@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/sort.h"
+#include "partition/heuristics.h"
 #include "parts/chains.h"
 
 namespace dualblock {
@@ -13,13 +14,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSteady = pi / 18; // directions to one curve differ by less along another
-
 /// Headings at both ends of each ridge of a run: those of the ridges around a node together, smoothed along
 /// the run, as the facets of bent sides tilt.
 std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve, std::span<const std::size_t> run,
                                                       const std::vector<Heading<3>> &ofRidges) {
-  constexpr int kPasses = 2;
   std::vector<Index> nodes;
   for (const std::size_t k : run) nodes.insert(nodes.end(), curve.ridges[k].begin(), curve.ridges[k].end());
   sortItems(nodes);
@@ -29,7 +27,7 @@ std::vector<std::array<Heading<3>, 2>> smoothHeadings(const Curve<3> &curve, std
   };
   std::vector<Heading<3>> atRidges = ofRidges;
   std::vector<Heading<3>> atNodes;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kHeadingPasses; ++pass) {
     atNodes.assign(nodes.size(), {Vec<3>(0.0), Vec<3>(0.0)});
     for (std::size_t k = 0; k < run.size(); ++k)
       for (const Index node : curve.ridges[run[k]]) {
@@ -97,7 +95,7 @@ std::optional<std::vector<double>> directionsTo(const std::vector<Vec<3>> &nodes
     distance = std::max(distance, foot.distance);
   }
   const auto [low, high] = std::minmax_element(directions.begin(), directions.end());
-  if (*high - *low > kSteady) return std::nullopt;
+  if (*high - *low > kSteadyHeading) return std::nullopt;
   return directions;
 }
 
@@ -159,26 +157,23 @@ std::vector<Heading<3>> headingsBack(const std::vector<Vec<3>> &nodes, const She
 } // namespace
 
 DirectionRange rangeOfSheet(const Curve<3> &curve, std::span<const std::size_t> run, std::size_t sector) {
-  constexpr double kTurn = pi / 8;
-  return rangeOfSector(curveKind(curve.angle), meanAngle(curve, run), sector, kTurn);
+  return rangeOfSector(curveKind(curve.angle), meanAngle(curve, run), sector, kSheetTurn);
 }
 
 std::optional<SheetStart> dishFrom(const ReferenceMesh<3> &mesh, const Curve<3> &curve,
                                    std::span<const std::size_t> run) {
-  constexpr double kLeast = 0.4; // cosine: a dish is nearly a plane
-  constexpr double kDepth = 0.5; // of the curve's radius
   const std::vector<Chain> chains = chainsOf(curve);
   Axis axis;
   if (curve.open || chains.size() > 1 || run.size() < curve.ridges.size() ||
       !axisOf(chains[0], mesh.nodes, axis))
     return std::nullopt;
   const Vec<3> radius = mesh.nodes[at(chains[0].nodes[0])] - axis.centre;
-  SheetStart start{curve, run, {}, {1, 0}, 0, 0, kDepth * glm::length(radius)};
+  SheetStart start{curve, run, {}, {1, 0}, 0, 0, kDishDepth * glm::length(radius)};
   for (const std::size_t k : run) {
     const RidgeFrame<3> &frame = curve.frames[k];
     const Vec<3> half = headingAt(frame, frame.angle / 2).ahead;
     const Vec<3> along = half - glm::dot(half, axis.direction) * axis.direction;
-    if (glm::length(along) < kLeast) return std::nullopt;
+    if (glm::length(along) < kLeastDishCosine) return std::nullopt;
     start.directions.push_back(directionOf<3>(frame, along));
     start.slope += std::tan(frame.angle / 2 - start.directions.back()) / static_cast<double>(run.size());
   }
