@@ -249,6 +249,7 @@ TEST(ElementsOfBentSides, ElementsThatOverlap) {
   });
   Refined<3> overlapping = r; // of many pairs, the first eight
   addCopy(overlapping, {0.5, 0.1, 0.1}, 1);
+  for (Index b = 0; b < overlapping.blocks.blockCount(); ++b) overlapping.mesh.straightened.push_back(b);
   EXPECT_EQ(overlapping.certificate(true).culprits.size(), 16U);
   // Side by side by more than a rounding.
   const auto says = [&](double gap, const std::string &words) {
