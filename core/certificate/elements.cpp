@@ -136,9 +136,9 @@ std::vector<double> columnsOf(const ElementInput<3> &in) {
 }
 
 /// Per block, whether its elements may leave the bent sides: it stays straight, or touches one that does.
+/// Where that was not asked for, straight blocks are refused as such.
 std::vector<bool> mayLeaveSides(const ElementInput<3> &in) {
   std::vector<bool> may(in.blocks.blocks.size(), false);
-  if (!in.mayStayStraight) return may;
   std::vector<bool> isStraight(in.blocks.positions.size(), false); // nodes
   for (const Index b : in.refined.straightened)
     for (const Index n : in.blocks.blocks[at(b)]) isStraight[at(n)] = true;
