@@ -13,6 +13,7 @@
 #include <numbers>
 #include <random>
 
+#include "certificate/elements.h"
 #include "domain/prepare.h"
 #include "pipeline.h"
 #include "reference/tetgen_adaptor.h"
@@ -108,9 +109,14 @@ int measureMesh(const Domain<3> &domain, double edge) {
   const auto blocks = static_cast<double>(run.value().primal.blocks.size());
   wanted.intervals = static_cast<Index>(std::ceil(std::cbrt(1e6 / blocks)));
   const auto start = std::chrono::steady_clock::now();
-  const auto refined = refineResult(run.value(), wanted);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  const PipelineResult<3> &r = run.value();
+  const auto refined = refineResult(r, wanted);
   if (!refined.ok()) return 1;
+  const BlockMesh<3> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const Certificate certificate = certifyElements<3>(
+      {refined.value(), layered, patchOfSurface(r.mesh), {}, r.certificate.domainMeasure, false});
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  if (!certificate.valid) return 1;
   std::printf(
       "{\"blocks\": %.0f, \"relaxation\": %.1f, \"intervals\": %d, \"elements\": %zu, \"refinement\": "
       "%.1f}\n",
