@@ -1,8 +1,9 @@
 #include "parts/chains.h"
 
+#include <cmath>
+
 #include "base/sort.h"
 #include "partition/heuristics.h"
-#include <cmath>
 
 namespace dualblock {
 std::vector<Chain> chainsOf(const Curve<3> &curve) {

@@ -1,9 +1,10 @@
 #include "parts/choose.h"
-#include "partition/heuristics.h"
 
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "partition/heuristics.h"
 
 namespace dualblock {
 namespace {

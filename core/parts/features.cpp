@@ -1,9 +1,10 @@
 #include "parts/features.h"
 
+#include <numbers>
+
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
 #include "partition/heuristics.h"
-#include <numbers>
 
 namespace dualblock {
 

@@ -1,9 +1,10 @@
 #include "parts/sectors.h"
-#include "partition/heuristics.h"
 
 #include <bit>
 #include <cmath>
 #include <numbers>
+
+#include "partition/heuristics.h"
 
 namespace dualblock {
 namespace {
