@@ -21,8 +21,9 @@ constexpr int kRepairRounds = 12;
 /// `holdsBent`: those on bent sides stay.
 template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r, bool history, bool holdsBent) {
   BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
-  const bool hasSimplices = r.fallbackComponents + r.pulledComponents > 0;
-  const Freedom<N> freedom(r.mesh, r.features, r.featureNodes, blocks, hasSimplices || holdsBent);
+  const bool holds = r.fallbackComponents + r.pulledComponents > r.remeshedComponents;
+  const Freedom<N> freedom(r.sideMesh(), r.features, r.featureNodes, blocks, holds || holdsBent,
+                           r.given != nullptr);
   RelaxOptions options;
   const auto keep = [&] {
     r.history.insert(r.history.end(), blocks.positions.begin(), blocks.positions.end());
@@ -33,6 +34,14 @@ template <int N> [[gnu::noinline]] void relaxPrimal(PipelineResult<N> &r, bool h
   }
   relax(freedom, blocks, options);
   r.primal.positions = std::move(blocks.positions);
+}
+
+/// Where faces of the reference mesh only stand for bent sides: the nodes there, onto the sides themselves.
+template <int N> [[gnu::noinline]] void putOnSides(PipelineResult<N> &r) {
+  const BlockMesh<N> blocks = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+  const Freedom<N> freedom(r.sideMesh(), r.features, r.featureNodes, blocks, false, true);
+  for (Index v = 0; v < blocks.nodeCount(); ++v)
+    if (!freedom.isFixed(v)) r.primal.positions[at(v)] = freedom.project(v, blocks.positions[at(v)]);
 }
 
 template <int N> void measureQuality(PipelineResult<N> &r) {
@@ -118,15 +127,16 @@ bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector
 }
 
 template <int N> bool buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock) {
-  const CertificateInput<N> toCertify{r.domain.domain, r.features,        r.featureNodes, r.mesh,
-                                      r.parts,         r.contributions,   r.dual,         r.surfaces,
-                                      r.primal,        r.domain.deviation};
+  const CertificateInput<N> toCertify{r.domain.domain, r.features,         r.featureNodes, r.mesh,
+                                      r.parts,         r.contributions,    r.dual,         r.surfaces,
+                                      r.primal,        r.domain.deviation, r.given.get()};
   Certificate ofDual;
   Aside dual(at(r.dual.cellCount), [&] { ofDual = certifyDual(toCertify); });
   clock.start("primal", 0.7);
   r.primal = buildPrimal(r.mesh, r.parts, r.contributions, r.dual, r.surfaces);
   clock.start("placement", 0.8);
   placeNodes(r.mesh, r.parts, r.dual, r.primal);
+  if (r.given) putOnSides(r);
   std::vector<Vec<N>> placed = r.primal.positions;
   if (options.mode.relax) {
     clock.start("relaxation", 0.85);

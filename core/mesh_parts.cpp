@@ -7,6 +7,7 @@
 #include "base/sort.h"
 #include "partition/heuristics.h"
 #include "parts/bent_cuts.h"
+#include "remesh/tet_mesh.h"
 
 namespace dualblock {
 namespace {
@@ -90,33 +91,57 @@ template <int N> bool serves(const PipelineResult<N> &r, const std::optional<Pip
   return !before || worstShape(r) >= std::min(kPoorShape, worstShape(*before));
 }
 
+/// The shape of the simplex that is furthest from a regular one, of the components that `isWanted` holds for.
+template <int N, typename IsWanted>
+double worstSimplex(const ReferenceMesh<N> &mesh, const IsWanted &isWanted) {
+  double worst = 1;
+  if constexpr (N == 3)
+    for (Index s = 0; s < mesh.simplexCount(); ++s) {
+      const auto &[a, b, c, d] = mesh.simplices[at(s)];
+      if (isWanted(mesh.component[at(s)]))
+        worst = std::min(worst,
+                         shapeOf(mesh.nodes[at(a)], mesh.nodes[at(b)], mesh.nodes[at(c)], mesh.nodes[at(d)]));
+    }
+  return worst;
+}
+
 /// The way of one choice of parts to its mesh.
 template <int N> class PartsMesher {
 public:
   PartsMesher(PipelineResult<N> &result, PartChoice<N> choice, const PipelineOptions &options,
-              const CoarseMesh<N> &coarse, StageClock &clock)
+              const FillMeshes<N> &fills, StageClock &clock)
       : r(result), decomposition_(std::move(choice.decomposition)), source_(std::move(choice.source)),
-        options_(options), coarse_(coarse), clock_(clock) {
+        options_(options), fills_(fills), clock_(clock) {
     takeParts();
     r.fallbackReason = std::move(choice.whySimplices);
   }
 
   /// See meshParts.
-  bool run(bool mayFallBack) {
+  bool run(bool mayFallBack, Index most = 0) {
+    mayFallBack_ = mayFallBack;
+    most_ = most;
     for (int attempt = 0;; ++attempt, r.certificate = {}) {
       if (!mixSources()) return false;
       const bool built = buildDual(r, partOptions_, everyFace_, clock_);
       const bool isGood = built && buildResult(r, options_, clock_);
       const bool holds = built && r.certificate.valid && serves(r, coarser_);
-      if (holds && isGood) break;
+      if (holds && isGood && !wantsFiner()) break;
       if (holds && !coarser_) coarser_ = r;
       if (built && halve()) continue;
+      if (holds && wantsFiner()) {
+        ++goodAttempts_;
+        continue;
+      }
       if (coarser_) {
         std::swap(r.timings, coarser_->timings);
         r = std::move(*coarser_);
         break;
       }
       if (takeEarlyCuts()) continue;
+      if (r.remeshedComponents > 0) { // finer ones may be nearer to bent sides; the coarsest always work
+        r.isRemeshRefused = ++goodAttempts_ == kGoodAttempts;
+        if (!r.isRemeshRefused || mayFallBack) continue;
+      }
       if (!mayFallBack) return false;
       if (r.fallbackComponents == r.mesh.componentCount) {
         if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
@@ -148,7 +173,7 @@ private:
     r.pulledComponents = count(PartSource::pulled);
     if (r.fallbackComponents + r.pulledComponents == 0) return true;
     clock_.start("fallback", 0.4);
-    const ReferenceMesh<N> *const mesh = r.fallbackComponents > 0 ? coarse_() : nullptr;
+    const ReferenceMesh<N> *const mesh = r.fallbackComponents > 0 ? simplices() : nullptr;
     if (!mesh && r.fallbackComponents > 0) return false;
     const ReferenceMesh<N> *pulled = nullptr;
     const std::vector<bool> *pulledFace = nullptr;
@@ -159,6 +184,11 @@ private:
       }
     MixedMesh<N> mixed = mixMeshes(r.mesh, pulled, pulledFace, mesh, source_);
     r.mesh = std::move(mixed.mesh);
+    if (r.remeshedComponents > 0) {
+      auto given = std::make_shared<ReferenceMesh<N>>(*fills_.coarsest());
+      given->surfaces = r.mesh.surfaces;
+      r.given = std::move(given);
+    }
     everyFace_ = std::move(mixed.everyFace);
     partOptions_.everyFace = &everyFace_;
     if (r.fallbackComponents == r.mesh.componentCount) { // nothing of the cut mesh is left
@@ -169,6 +199,29 @@ private:
     clock_.start("parts", 0.45);
     r.parts = buildParts(r.mesh, partOptions_);
     return true;
+  }
+
+  /// Good ones where the coarsest would make poor blocks; those if they will not do.
+  const ReferenceMesh<N> *simplices() {
+    const ReferenceMesh<N> *mesh = fills_.coarsest();
+    const auto isSimplices = [&](Index component) { return source_[at(component)] == PartSource::simplices; };
+    const bool isFew = mesh && mayFallBack_ && mesh->simplexCount() < kFewSimplices;
+    const ReferenceMesh<N> *const good =
+        mesh && !isFew && goodAttempts_ < kGoodAttempts && worstSimplex(*mesh, isSimplices) < kSoundShape
+            ? fills_.good(goodAttempts_, most_)
+            : nullptr;
+    const bool isBetter =
+        good && worstSimplex(*good, isSimplices) > std::max(kUsefulShape, worstSimplex(*mesh, isSimplices));
+    r.remeshedComponents = isBetter ? r.fallbackComponents : 0;
+    r.given = nullptr;
+    return isBetter ? good : mesh;
+  }
+
+  /// Whether finer simplices may be of a better shape than these, which is poor.
+  bool wantsFiner() const {
+    return r.remeshedComponents > 0 && goodAttempts_ + 1 < kGoodAttempts &&
+           worstShape(r) < std::min(kPoorShape, kNearBound * r.angleBound) &&
+           r.mesh.simplexCount() >= kFewSimplices && r.mesh.simplexCount() <= kCheap;
   }
 
   bool halve() {
@@ -211,10 +264,13 @@ private:
   Decomposition<N> decomposition_;
   std::vector<PartSource> source_; // changes where the certificate blames a component
   const PipelineOptions &options_;
-  const CoarseMesh<N> &coarse_;
+  const FillMeshes<N> &fills_;
   StageClock &clock_;
   PartOptions partOptions_;
   std::vector<bool> everyFace_;
+  bool mayFallBack_ = true;
+  Index most_ = 0;       // good simplices; 0: no bound
+  int goodAttempts_ = 0; // that the certificate has refused
   int halvings_ = 0;
   int triesLeft_ = kHalvedAlone;
   // Valid, but further from a side than is aimed at, or of a poorer shape: taken if nothing better comes.
@@ -225,13 +281,44 @@ private:
 
 template <int N>
 bool meshParts(PipelineResult<N> &r, PartChoice<N> choice, bool mayFallBack, const PipelineOptions &options,
-               const CoarseMesh<N> &coarse, StageClock &clock) {
-  return PartsMesher<N>(r, std::move(choice), options, coarse, clock).run(mayFallBack);
+               const FillMeshes<N> &fills, StageClock &clock) {
+  return PartsMesher<N>(r, std::move(choice), options, fills, clock).run(mayFallBack);
+}
+
+template <int N>
+bool meshGoodSimplices(PipelineResult<N> &r, Index most, const PipelineOptions &options,
+                       const FillMeshes<N> &fills, StageClock &clock) {
+  const auto all = [](Index) { return true; };
+  const ReferenceMesh<N> *const good = fills.good(0, most);
+  if (!good || worstSimplex(*good, all) < kUsefulShape ||
+      worstSimplex(*good, all) < kMuchBetter * worstSimplex(*fills.coarsest(), all))
+    return false;
+  PartChoice<N> choice;
+  choice.source.assign(at(r.mesh.componentCount), PartSource::cuts);
+  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
+  for (std::size_t b = 0; b < r.quality.size(); ++b)
+    if (r.quality[b] < kPoorShape)
+      choice.source[at(component[at(r.primal.blocks[b].part)])] = PartSource::simplices;
+  // Of what is made of simplices already, nobody knows any more which of them are parts.
+  for (Index s = 0; s < r.mesh.simplexCount(); ++s)
+    for (const Index tag : r.mesh.tags[at(s)])
+      if (tag != kNone && r.mesh.surfaces[at(FaceTag::surface(tag))].kind == SurfaceKind::simplexFace)
+        choice.source[at(r.mesh.component[at(s)])] = PartSource::simplices;
+  choice.decomposition.parts = std::move(r.parts);
+  choice.decomposition.vertexCuts = r.vertexCuts;
+  choice.decomposition.bentCuts = r.bentCuts;
+  choice.decomposition.reflexCuts = r.cuts - r.vertexCuts - r.bentCuts;
+  choice.whySimplices = "simplices give a better shape";
+  r.pulledParts = 0;
+  PartsMesher<N> mesher(r, std::move(choice), options, fills, clock);
+  return mesher.run(false, most) && r.remeshedComponents > 0;
 }
 
 #define DUALBLOCK_DEFINE(N)                                                                                  \
   template bool meshParts(PipelineResult<N> &, PartChoice<N>, bool, const PipelineOptions &,                 \
-                          const CoarseMesh<N> &, StageClock &);
+                          const FillMeshes<N> &, StageClock &);                                              \
+  template bool meshGoodSimplices(PipelineResult<N> &, Index, const PipelineOptions &,                       \
+                                  const FillMeshes<N> &, StageClock &);
 DUALBLOCK_DEFINE(2)
 DUALBLOCK_DEFINE(3)
 #undef DUALBLOCK_DEFINE

@@ -8,6 +8,7 @@
 #include "mesh_parts.h"
 #include "partition/heuristics.h"
 #include "reference/culprits.h"
+#include "remesh/remesh.h"
 #include "stage_clock.h"
 
 namespace dualblock {
@@ -22,11 +23,12 @@ template <int N> PartCandidate figuresOf(const PipelineResult<N> &r) {
 }
 
 /// Carries what else the parts could be through to meshes of their own, each from what all have in `common`,
-/// and leaves the one of the best shape in r: never a worse one than was there.
+/// and leaves the one of the best shape in r: never a worse one than was there, and where few blocks are
+/// wanted, not many times as many.
 template <int N>
 [[gnu::noinline]] void takeBestShape(PipelineResult<N> &r, const PipelineResult<N> &common,
                                      std::vector<PartProposal<N>> proposals, const PipelineOptions &options,
-                                     const CoarseMesh<N> &coarse, StageClock &clock) {
+                                     const FillMeshes<N> &fills, StageClock &clock) {
   std::vector<PartCandidate> candidates{figuresOf(r)};
   std::vector<PipelineResult<N>> others;
   if (!proposals.empty()) clock.start("shape", 0.92);
@@ -36,7 +38,11 @@ template <int N>
   for (PartProposal<N> &proposal : proposals) {
     PipelineResult<N> other = common;
     other.mesh = std::move(proposal.mesh);
-    if (!meshParts(other, std::move(proposal.choice), false, options, coarse, inner)) continue;
+    const double times = options.objective == Objective::shape       ? std::numeric_limits<double>::infinity()
+                         : candidates[0].minScaledJacobian < kNeedle ? kTimesForNeedles
+                                                                     : kTimesForShape;
+    if (proposal.choice.score.blocks > times * candidates[0].blocks) continue;
+    if (!meshParts(other, std::move(proposal.choice), false, options, fills, inner)) continue;
     candidates.push_back(figuresOf(other));
     others.push_back(std::move(other));
   }
@@ -55,6 +61,31 @@ template <int N>
   }
   candidates[best].chosen = true;
   r.candidates = std::move(candidates);
+}
+
+/// Good simplices where blocks are poor, if that makes them sound, or at least much better.
+template <int N>
+void takeGoodSimplices(PipelineResult<N> &r, const PipelineOptions &options, const FillMeshes<N> &fills,
+                       StageClock &clock) {
+  clock.start("shape", 0.92);
+  const Progress silent;
+  std::vector<StageTime> untold;
+  StageClock inner(silent, untold);
+  const double before = worstShape(r);
+  const double times = before < kNeedle ? kTimesForNeedles : kTimesForShape;
+  PipelineResult<N> other = r;
+  const auto most = static_cast<Index>(times * static_cast<double>(r.quality.size()) / (N + 1));
+  const bool holds = meshGoodSimplices(other, most, options, fills, inner);
+  clock.stop();
+  if (!holds || !other.certificate.valid) return;
+  const double after = worstShape(other);
+  if (after < kPoorShape && !(after > kMuchBetter * before)) return;
+  other.timings = std::move(r.timings);
+  PartCandidate figures = figuresOf(other);
+  for (PartCandidate &c : other.candidates) c.chosen = false;
+  figures.chosen = true;
+  other.candidates.push_back(figures);
+  r = std::move(other);
 }
 
 /// The paper's rules on the contributions that the domain itself gives (figure 12).
@@ -114,10 +145,26 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     return coarse ? &*coarse : nullptr;
   };
   if (isCoarse) coarse = r.mesh;
+  std::optional<ReferenceMesh<N>> good;
+  std::pair<int, Index> goodAttempt{-1, 0};
+  const auto needGood = [&](int attempt, Index most) -> const ReferenceMesh<N> * {
+    if constexpr (N == 3) {
+      const std::pair<int, Index> wanted{attempt, most};
+      const bool isMade = std::exchange(goodAttempt, wanted) == wanted;
+      if (const ReferenceMesh<N> *const from = isMade ? nullptr : needCoarse()) {
+        Parts<N> features = buildParts(*from, PartOptions{});
+        keepVertices(*from, features);
+        good = remesh(*from, features, {attempt == 0 ? 1.0 : kFinerAttempt, most});
+      }
+    }
+    return good ? &*good : nullptr;
+  };
+  const FillMeshes<N> fills{needCoarse, needGood};
 
   clock.start("features", 0.3);
   r.features = buildParts(r.mesh, PartOptions{});
   keepVertices(r.mesh, r.features);
+  r.angleBound = angleBound(r.mesh, r.features);
   r.featureNodes = r.mesh.nodes;
   r.featureKinds = classifyFeatures(r.features);
 
@@ -127,7 +174,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const bool wantsShape = options.objective == Objective::shape;
   for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
     r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
-  const bool mayPropose = wantsShape || r.bentSides > 0;
+  const bool mayPropose = wantsShape || r.bentSides > 0 || (N == 2 && r.mesh.simplexCount() <= kCheap);
   const ReferenceMesh<N> uncut = mayPropose ? r.mesh : ReferenceMesh<N>{};
   PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse, isCoarse);
   std::vector<PartProposal<N>> proposals;
@@ -140,14 +187,20 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   ReferenceMesh<N> cut = std::exchange(r.mesh, {}); // proposals bring their own
   const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
   r.mesh = std::move(cut);
-  if (!meshParts(r, std::move(choice), true, options, needCoarse, clock)) return *coarseError;
+  if (!meshParts(r, std::move(choice), true, options, fills, clock)) return *coarseError;
   const bool falls = r.fallbackComponents + r.pulledComponents > 0;
   if (mayPropose && !wantsShape) {
-    if (falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
-    const bool isPoor = options.mode.relax && figuresOf(r).minScaledJacobian < kPoorShape;
-    if (!falls && isPoor) propose(Proposals::all);
+    if (r.bentSides > 0 && falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
+    const double sound = std::min(kPoorShape, kNearBound * r.angleBound);
+    const bool isPoor = options.mode.relax && figuresOf(r).minScaledJacobian < sound;
+    if (isPoor && (N == 2 || !falls)) propose(Proposals::all);
   }
-  takeBestShape(r, common, std::move(proposals), options, needCoarse, clock);
+  takeBestShape(r, common, std::move(proposals), options, fills, clock);
+  if constexpr (N == 3)
+    if (options.mode.relax && r.certificate.valid &&
+        worstShape(r) < std::min(kPoorShape, kNearBound * r.angleBound) && r.remeshedComponents == 0 &&
+        !r.isRemeshRefused)
+      takeGoodSimplices(r, options, fills, clock);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
@@ -155,8 +208,8 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {
     clock.start("extraction", 0.95);
     const BlockMesh<N> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
-    const BlockInput<N> input{r.domain.domain, r.features, r.featureNodes,
-                              r.mesh,          layered,    r.domain.deviation};
+    const BlockInput<N> input{r.domain.domain, r.features,         r.featureNodes, r.mesh,
+                              layered,         r.domain.deviation, r.given.get()};
     auto made = makeFinalMesh(input, r.certificate, mode, r.domain.facetOfGiven);
     if (!made.ok()) return made.error();
     r.finalMesh = std::move(made.value());

@@ -59,9 +59,13 @@ template <int N> struct PipelineResult {
 
   PreparedDomain<N> domain;
   ReferenceMesh<N> mesh;
+  /// Where faces of `mesh` on bent sides only stand for them: the mesh whose faces are the facets' own. Else
+  /// null.
+  std::shared_ptr<const ReferenceMesh<N>> given;
   Parts<N> features;                // of the uncut reference mesh: the domain's own
   std::vector<Vec<N>> featureNodes; // the nodes that `features` refers to
   Features featureKinds;
+  double angleBound = 1;   // of the smallest scaled Jacobian: features.h
   Index fillSimplices = 0; // of the reference mesh before cuts and repairs
   std::string remedy;      // what it took TetGen to succeed, or empty
   Index cuts = 0;
@@ -72,6 +76,8 @@ template <int N> struct PipelineResult {
   Index fallbackComponents = 0; // components where every reference simplex became a part
   Index pulledComponents = 0;   // components where only parts that are not simple became simplices
   Index pulledParts = 0;        // those parts
+  Index remeshedComponents = 0; // components whose simplices were made for their shape
+  bool isRemeshRefused = false; // such simplices gave no valid mesh
   std::string fallbackReason;
   std::array<double, 3> alternatives{-1, -1, -1}; // PartChoice
   std::vector<CutTrial> cutTrials;
@@ -87,6 +93,8 @@ template <int N> struct PipelineResult {
   std::optional<FinalMesh<N>> finalMesh; // in place of the primal, where D-bar-surfaces have been extracted
   bool onlyMatching = false; // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;
+
+  const ReferenceMesh<N> &sideMesh() const { return given ? *given : mesh; }
 };
 
 /// Runs all stages. An Error is bad input, a failed fill or a time limit; a result whose certificate is not
@@ -99,7 +107,7 @@ Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOpt
 /// refineBlocks.
 template <int N>
 Result<RefinedMesh<N>> refineResult(const PipelineResult<N> &result, const RefineOptions &options) {
-  const BentShape<N> shape(bentFacetsOf(result.mesh, result.features, result.featureNodes));
+  const BentShape<N> shape(bentFacetsOf(result.sideMesh(), result.features, result.featureNodes));
   const std::vector<Index> patches = patchOfSurface(result.mesh);
   if (result.finalMesh) return refineBlocks(result.finalMesh->blocks, patches, shape, options);
   const BlockMesh<N> layered = layeredBlocks(result.mesh, result.parts, result.surfaces, result.primal);

@@ -65,6 +65,7 @@ template <int N> val featuresToJs(const PipelineResult<N> &r) {
   f.set("ideal", column<std::uint8_t>(r.certificate.features, [](const FeatureCount &c) { return c.ideal; }));
   f.set("actual", column<Index>(r.certificate.features, [](const FeatureCount &c) { return c.actual; }));
   f.set("kind", toJs<std::uint8_t>(r.featureKinds.curves));
+  f.set("angleBound", r.angleBound);
   f.set("vertices", toJs<Index>(r.featureKinds.vertexNodes));
   f.set("vertexKind", toJs<std::uint8_t>(r.featureKinds.vertices));
   return f;
@@ -94,6 +95,7 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   val p = val::object();
   p.set("count", static_cast<double>(r.parts.parts.size()));
   p.set("fallbackComponents", r.fallbackComponents);
+  p.set("remeshedComponents", r.remeshedComponents);
   p.set("fallbackReason", r.fallbackReason);
   p.set("alternatives", toJs<double>(std::vector<double>(r.alternatives.begin(), r.alternatives.end())));
   val trials = val::object();
@@ -182,7 +184,7 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
 }
 
 template <int N> val bentFacetsToJs(const PipelineResult<N> &r) {
-  const BentFacets<N> facets = bentFacetsOf(r.mesh, r.features, r.featureNodes);
+  const BentFacets<N> facets = bentFacetsOf(r.sideMesh(), r.features, r.featureNodes);
   val b = val::object();
   b.set("faces", toJs<double>(facets.faces));
   b.set("patchOfFace", toJs<Index>(facets.patchOfFace));

@@ -56,6 +56,7 @@ export function makeReport(
       count: parts.count,
       fallback: parts.fallbackComponents > 0,
       fallbackComponents: parts.fallbackComponents,
+      remeshedComponents: parts.remeshedComponents,
       fallbackReason: parts.fallbackReason,
       alternatives: {
         cuts: alternative(parts.alternatives[0]),
@@ -103,7 +104,7 @@ export function makeReport(
       vertices: tallyVertices(result),
       notIdeal: curvesNotIdeal(result),
     },
-    quality: { scaledJacobian: summarize((mesh ?? primal).quality) },
+    quality: { scaledJacobian: summarize((mesh ?? primal).quality), angleBound: result.features.angleBound },
     timings: result.timings,
     peakMemory: memory,
   };
@@ -230,7 +231,7 @@ export function describe(report: Report): string {
   const kind = input.dimension === 2 ? 'quadrilaterals' : 'hexahedra';
   const confined = parts.confinedFallback.parts;
   const split = parts.fallback
-    ? `${parts.count} parts, by the fallback (${parts.fallbackReason})`
+    ? `${parts.count} parts, ${parts.remeshedComponents > 0 ? 'simplices made for their shape' : 'by the fallback'} (${parts.fallbackReason})`
     : confined > 0
       ? `${parts.count} parts, simplices where ${confined} would not be simple (${parts.fallbackReason})`
       : `${parts.count} part(s)`;
@@ -243,7 +244,9 @@ export function describe(report: Report): string {
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     describeObjective(parts.objective),
-    quality ? `  scaled Jacobian: minimum ${quality.min.toFixed(3)}, mean ${quality.mean.toFixed(3)}` : '',
+    quality
+      ? `  scaled Jacobian: minimum ${shapeText(quality.min, report.quality.angleBound)}, mean ${quality.mean.toFixed(3)}`
+      : '',
     report.refined
       ? `  refined: ${report.refined.elements} elements, ${report.refined.nodes} nodes, scaled Jacobian: minimum ${report.refined.scaledJacobian?.min.toFixed(3)}`
       : '',
@@ -261,6 +264,10 @@ export function describe(report: Report): string {
     .filter((line) => line !== '')
     .join('\n');
 }
+
+/** A smallest scaled Jacobian; with what the domain's own angles allow, where that is little. */
+const shapeText = (min: number, bound: number): string =>
+  bound < 0.3 ? `${min.toFixed(3)} (the domain's own angles allow ${bound.toFixed(3)})` : min.toFixed(3);
 
 /** What to do about elements that their certificate refuses, though their blocks have passed. */
 export const refusedElements =

@@ -84,6 +84,8 @@ export interface RunResult {
     /** Vertices by the feature curves that meet there: 0 face, 1 semi-edge, 2 edge, 3 vertex (paper, figure 3). */
     vertices: Int32Array;
     vertexKind: Uint8Array;
+    /** The most that the smallest scaled Jacobian can be, by the domain's own acute angles. */
+    angleBound: number;
   };
   reference: {
     nodes: Float64Array;
@@ -109,6 +111,8 @@ export interface RunResult {
   parts: {
     count: number;
     fallbackComponents: number;
+    /** Of them: whose simplices were made for their shape. */
+    remeshedComponents: number;
     /** Why simplices became parts, in all or in some parts; empty where none did. */
     fallbackReason: string;
     /**

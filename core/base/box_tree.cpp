@@ -40,7 +40,10 @@ void BoxTree::build(Index begin, Index end) {
     branches_[here].box.add(box);
     middles.add(box.low + box.high);
   }
-  if (end - begin <= kLeaf) return;
+  if (end - begin <= kLeaf) { // the first of equally near ones is found first, with every standard library
+    std::sort(items_.begin() + begin, items_.begin() + end);
+    return;
+  }
   const Vec<3> extent = middles.high - middles.low;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   const Index half = (begin + end) / 2;

@@ -1,13 +1,52 @@
 #include "blocks/bent_shape.h"
 
 #include <limits>
-
-#include <glm/common.hpp>
+#include <tuple>
 
 #include "base/sort.h"
 #include "geometry/nearest.h"
 
 namespace dualblock {
+
+namespace {
+
+/// Where facets of one bent side meet sharply: they are one by way of others.
+std::vector<std::pair<std::array<Index, 2>, Segment<3>>> creasesOf(const BentFacets<3> &facets) {
+  struct Ridge {
+    Index patch;
+    std::array<double, 6> ends;
+    std::size_t face;
+  };
+  std::vector<Ridge> ridges;
+  const auto less = [](const Vec<3> &a, const Vec<3> &b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  for (std::size_t f = 0; f < facets.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec<3> a = facets.faces[f][k];
+      Vec<3> b = facets.faces[f][(k + 1) % 3];
+      if (less(b, a)) std::swap(a, b);
+      ridges.push_back({facets.patchOfFace[f], {a.x, a.y, a.z, b.x, b.y, b.z}, f});
+    }
+  const auto key = [](const Ridge &r) { return std::tie(r.patch, r.ends); };
+  sortItems(ridges, [&](const Ridge &a, const Ridge &b) {
+    return key(a) != key(b) ? key(a) < key(b) : a.face < b.face;
+  });
+  std::vector<std::pair<std::array<Index, 2>, Segment<3>>> creases;
+  const auto normalOf = [&](std::size_t f) {
+    const auto &[a, b, c] = facets.faces[f];
+    return glm::normalize(glm::cross(b - a, c - a));
+  };
+  for (std::size_t k = 1; k < ridges.size(); ++k) {
+    const auto &[patch, e, face] = ridges[k];
+    if (key(ridges[k - 1]) != key(ridges[k])) continue;
+    if (glm::dot(normalOf(face), normalOf(ridges[k - 1].face)) > kCreaseCosine) continue;
+    creases.push_back({{patch, patch}, {Vec<3>(e[0], e[1], e[2]), Vec<3>(e[3], e[4], e[5])}});
+  }
+  return creases;
+}
+
+} // namespace
 
 template <int N>
 BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &features,
@@ -29,20 +68,22 @@ BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &feature
         result.patchOfFace.push_back(mesh.sideKey(tag) / 2);
         isBent[at(result.patchOfFace.back())] = true;
       }
-    std::vector<std::pair<std::array<Index, 2>, std::size_t>> order;
+    std::vector<std::pair<std::array<Index, 2>, Segment<N>>> segments;
+    if (allCurves) segments = creasesOf(result);
     for (std::size_t c = 0; c < features.curves.size(); ++c) {
       std::array<Index, 2> patch;
       for (std::size_t k = 0; k < 2; ++k)
         patch[k] = mesh.sideKey(features.sides[at(features.curves[c].sides[k])].tag) / 2;
-      if (allCurves || isBent[at(patch[0])] || isBent[at(patch[1])])
-        order.emplace_back(sortedPair(patch[0], patch[1]), c);
+      if (!allCurves && !isBent[at(patch[0])] && !isBent[at(patch[1])]) continue;
+      for (const auto &[a, b] : features.curves[c].ridges)
+        segments.emplace_back(sortedPair(patch[0], patch[1]),
+                              Segment<N>{featureNodes[at(a)], featureNodes[at(b)]});
     }
-    sortItems(order);
-    for (const auto &[patches, c] : order)
-      for (const auto &[a, b] : features.curves[c].ridges) {
-        result.segments.push_back({featureNodes[at(a)], featureNodes[at(b)]});
-        result.patchesOfSegment.push_back(patches);
-      }
+    sortItems(segments, [](const auto &a, const auto &b) { return a.first < b.first; });
+    for (const auto &[patches, segment] : segments) {
+      result.segments.push_back(segment);
+      result.patchesOfSegment.push_back(patches);
+    }
   }
   return result;
 }
@@ -51,9 +92,15 @@ template <int N> BentShape<N>::BentShape(const BentFacets<N> &facets) {
   for (std::size_t f = 0; f < facets.faces.size(); ++f) {
     const std::size_t patch = at(facets.patchOfFace[f]);
     if (patch >= sides_.size()) sides_.resize(patch + 1);
-    sides_[patch].faces.push_back({0, facets.faces[f]});
+    sides_[patch].faces.push_back(facets.faces[f]);
   }
-  for (Side &side : sides_) sortAlong(side);
+  if constexpr (N == 3)
+    for (Side &side : sides_) {
+      std::vector<Box> boxes(side.faces.size());
+      for (std::size_t f = 0; f < boxes.size(); ++f)
+        for (const Vec<3> &x : side.faces[f]) boxes[f].add(x);
+      if (!boxes.empty()) side.tree.emplace(boxes);
+    }
   for (std::size_t s = 0; s < facets.segments.size(); ++s) {
     if (s == 0 || facets.patchesOfSegment[s] != curveKeys_.back()) {
       if (s > 0) curves_.closeList();
@@ -64,49 +111,25 @@ template <int N> BentShape<N>::BentShape(const BentFacets<N> &facets) {
   curves_.closeList();
 }
 
-template <int N> void BentShape<N>::sortAlong(Side &side) {
-  if (side.faces.empty()) return;
-  const double infinity = std::numeric_limits<double>::infinity();
-  Vec<N> low{infinity};
-  Vec<N> high{-infinity};
-  for (const FaceAlong &f : side.faces)
-    for (const Vec<N> &x : f.face) {
-      low = glm::min(low, x);
-      high = glm::max(high, x);
-    }
-  for (int k = 1; k < N; ++k)
-    if (high[k] - low[k] > high[side.axis] - low[side.axis]) side.axis = k;
-  for (FaceAlong &f : side.faces) {
-    double first = infinity;
-    double last = -infinity;
-    for (const Vec<N> &x : f.face) {
-      first = std::min(first, x[side.axis]);
-      last = std::max(last, x[side.axis]);
-    }
-    f.middle = (first + last) / 2;
-    side.reach = std::max(side.reach, (last - first) / 2);
-  }
-  sortItems(side.faces, [](const FaceAlong &a, const FaceAlong &b) { return a.middle < b.middle; });
-}
-
 template <int N> typename BentShape<N>::Nearest BentShape<N>::onSide(Index patch, const Vec<N> &x) const {
   Nearest best;
   if constexpr (N == 3) {
-    // From where x is along the side outwards, as far as something nearer may be.
     const Side &side = sides_[at(patch)];
-    const double along = x[side.axis];
     double least = std::numeric_limits<double>::infinity();
-    const auto look = [&](const FaceAlong &f) {
-      const Vec<3> y = nearestOnTriangle(x, f.face[0], f.face[1], f.face[2]);
-      if (glm::length(y - x) >= least) return;
-      least = glm::length(y - x);
-      best = {y, glm::normalize(glm::cross(f.face[1] - f.face[0], f.face[2] - f.face[0]))};
-    };
-    const auto start = std::lower_bound(side.faces.begin(), side.faces.end(), along,
-                                        [](const FaceAlong &f, double value) { return f.middle < value; });
-    for (auto f = start; f != side.faces.end() && f->middle - along - side.reach < least; ++f) look(*f);
-    for (auto f = start; f != side.faces.begin() && along - (f - 1)->middle - side.reach < least; --f)
-      look(*(f - 1));
+    std::size_t nearest = 0;
+    side.tree->nearest(x, least, [&](Index f) {
+      const auto &[a, b, c] = side.faces[at(f)];
+      const Vec<3> y = nearestOnTriangle(x, a, b, c);
+      const double square = glm::dot(y - x, y - x);
+      if (square < least) {
+        least = square;
+        best.point = y;
+        nearest = at(f);
+      }
+      return square;
+    });
+    const auto &[a, b, c] = side.faces[nearest];
+    best.direction = glm::normalize(glm::cross(b - a, c - a));
   }
   return best;
 }

@@ -1,6 +1,9 @@
 // The bent sides of a domain as points are put onto them: their facets, and the curves between them.
 #pragma once
 
+#include <optional>
+
+#include "base/box_tree.h"
 #include "parts/parts.h"
 
 namespace dualblock {
@@ -15,7 +18,12 @@ template <int N> struct BentFacets {
   std::vector<std::array<Index, 2>> patchesOfSegment; // ascending; one of them is bent
 };
 
-/// `features`: of the uncut mesh, whose nodes are `featureNodes`. `allCurves`: those between planes as well.
+/// Cosine between normals of facets of one bent side that meet sharply, in a crease: 50 degrees, well over
+/// what the coarsest tessellation turns by from one facet to the next.
+inline constexpr double kCreaseCosine = 0.64;
+
+/// `features`: of the uncut mesh, whose nodes are `featureNodes`. `allCurves`: those between planes as well,
+/// and creases, as curves between a side and itself.
 template <int N>
 BentFacets<N> bentFacetsOf(const ReferenceMesh<N> &mesh, const Parts<N> &features,
                            const std::vector<Vec<N>> &featureNodes, bool allCurves = false);
@@ -41,16 +49,10 @@ public:
   Vec<N> project(const Index *first, const Index *last, const Vec<N> &x) const;
 
 private:
-  struct FaceAlong {
-    double middle; // along the side's longest extent
-    std::array<Vec<N>, N> face;
-  };
   struct Side {
-    std::vector<FaceAlong> faces; // sorted
-    int axis = 0;
-    double reach = 0; // from a face's middle to its ends, at most
+    std::vector<std::array<Vec<N>, N>> faces;
+    std::optional<BoxTree> tree;
   };
-  static void sortAlong(Side &side);
 
   std::vector<Side> sides_;                     // per patch; without faces where it is plane
   std::vector<std::array<Index, 2>> curveKeys_; // patches of each curve, ascending

@@ -1,5 +1,7 @@
 #include "blocks/freedom.h"
 
+#include <limits>
+
 #include "base/sort.h"
 
 namespace dualblock {
@@ -39,10 +41,12 @@ template <int N> std::array<double, N> coordinates(const Vec<N> &x) {
 
 template <int N>
 Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
-                    const std::vector<Vec<N>> &featureNodes, const BlockMesh<N> &blocks, bool holdsBent)
+                    const std::vector<Vec<N>> &featureNodes, const BlockMesh<N> &blocks, bool holdsBent,
+                    bool followsCreases)
     : patches_(patchesOfNodes(mesh, blocks)), fixed_(blocks.positions.size(), false),
       normals_(mesh.surfaces.size()), shape_(bentFacetsOf(mesh, features, featureNodes, true)) {
   for (std::size_t s = 0; s < mesh.surfaces.size(); ++s) normals_[s] = mesh.surfaces[s].plane.normal;
+  if (followsCreases) findCreases(blocks);
   std::vector<std::array<double, N>> corners;
   for (const Corner &corner : features.corners)
     corners.push_back(coordinates<N>(featureNodes[at(corner.node)]));
@@ -56,6 +60,26 @@ Freedom<N>::Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features,
   }
 }
 
+template <int N> void Freedom<N>::findCreases(const BlockMesh<N> &blocks) {
+  constexpr double kNear =
+      0.15; // of the shortest edge: the middles of faces beside a crease are further away
+  std::vector<double> shortest(blocks.positions.size(), std::numeric_limits<double>::infinity());
+  for (const auto &block : blocks.blocks)
+    for (std::size_t a = 0; a < block.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        const double length = glm::length(blocks.positions[at(block[a])] - blocks.positions[at(block[b])]);
+        for (const Index v : {block[a], block[b]}) shortest[at(v)] = std::min(shortest[at(v)], length);
+      }
+  onCrease_.assign(blocks.positions.size(), false);
+  for (Index v = 0; v < blocks.nodeCount(); ++v) {
+    if (patches_.size(v) != 1) continue;
+    const Index patch = *patches_.begin(v);
+    const Vec<N> &x = blocks.positions[at(v)];
+    if (shape_.hasCurve(patch, patch))
+      onCrease_[at(v)] = glm::length(shape_.onCurve(patch, patch, x).point - x) < kNear * shortest[at(v)];
+  }
+}
+
 template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Vec<N> &x) const {
   if (fixed_[at(node)]) return {};
   const Index *const p = patches_.begin(node);
@@ -64,6 +88,10 @@ template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Ve
   if (patches_.size(node) == 2)
     if (const Vec<N> direction = shape_.onCurve(p[0], p[1], x).direction; direction != Vec<N>(0.0))
       return {direction};
+  if (isOnCrease(node)) {
+    const Vec<N> direction = shape_.onCurve(p[0], p[0], x).direction;
+    return {direction};
+  }
   if (isBent(node)) {
     if (patches_.size(node) == 1) return complement<N>({shape_.onSide(p[0], x).direction});
     return {}; // where bent sides touch without a curve, or more than two meet, it stays
@@ -76,6 +104,7 @@ template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Ve
 template <int N> Vec<N> Freedom<N>::project(Index node, const Vec<N> &x) const {
   const Index *const p = patches_.begin(node);
   if (!isBent(node)) return x;
+  if (isOnCrease(node)) return shape_.onCurve(p[0], p[0], x).point;
   return patches_.size(node) == 1 ? shape_.onSide(p[0], x).point : shape_.onCurve(p[0], p[1], x).point;
 }
 

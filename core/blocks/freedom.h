@@ -11,8 +11,9 @@ template <int N> class Freedom {
 public:
   /// `features`: of the uncut mesh, whose nodes are `featureNodes`. `holdsBent`: nodes of bent sides stay, as
   /// where every facet of one has block faces of its own, which then hold its volume exactly.
+  /// `followsCreases`: nodes next to a crease of a bent side are on it, and stay there.
   Freedom(const ReferenceMesh<N> &mesh, const Parts<N> &features, const std::vector<Vec<N>> &featureNodes,
-          const BlockMesh<N> &blocks, bool holdsBent = false);
+          const BlockMesh<N> &blocks, bool holdsBent = false, bool followsCreases = false);
 
   /// Orthonormal directions in which the node may go from x: none for a fixed one, N for a free one.
   std::vector<Vec<N>> directions(Index node, const Vec<N> &x) const;
@@ -23,12 +24,16 @@ public:
   bool isFixed(Index node) const { return fixed_[at(node)]; }
   Index patchCount(Index node) const { return patches_.size(node); }
   Index commonPatches(Index a, Index b) const;
+  bool isOnCrease(Index node) const { return !onCrease_.empty() && onCrease_[at(node)]; }
   /// Whether it lies on a bent side.
   bool isBent(Index node) const;
 
 private:
+  void findCreases(const BlockMesh<N> &blocks);
+
   Lists<Index> patches_;
   std::vector<bool> fixed_;
+  std::vector<bool> onCrease_;  // empty: none is
   std::vector<Vec<N>> normals_; // per patch, of its plane
   BentShape<N> shape_;
 };

@@ -51,11 +51,11 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
   BlockMesh<N> &blocks = result.blocks;
   blocks = layered.blocks;
   const auto certified = [&](const BlockMesh<N> &mesh) {
-    return certifyBlocks<N>(
-        {layered.domain, layered.features, layered.featureNodes, layered.mesh, mesh, layered.facetDeviation});
+    return certifyBlocks<N>({layered.domain, layered.features, layered.featureNodes, layered.mesh, mesh,
+                             layered.facetDeviation, layered.given});
   };
   const auto freedomOf = [&](const BlockMesh<N> &mesh) {
-    return Freedom<N>(layered.mesh, layered.features, layered.featureNodes, mesh);
+    return Freedom<N>(layered.sideMesh(), layered.features, layered.featureNodes, mesh);
   };
   for (const Index surface : options.extract) {
     Extraction<N> next = extract(layered.mesh, freedomOf(blocks), blocks, surface);
@@ -80,7 +80,7 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
              (c.fidelity.coarse.empty() || !certificate.fidelity.coarse.empty());
     };
     const std::vector<Index> more =
-        coarsen(layered.mesh, layered.features, layered.featureNodes, blocks, coarsenOptions);
+        coarsen(layered.sideMesh(), layered.features, layered.featureNodes, blocks, coarsenOptions);
     result.extracted.insert(result.extracted.end(), more.begin(), more.end());
   }
   result.certificate = certified(blocks);
@@ -99,7 +99,7 @@ Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certifica
     }
   }
   if (!options.insert.empty()) {
-    const BentShape<N> shape(bentFacetsOf(layered.mesh, layered.features, layered.featureNodes));
+    const BentShape<N> shape(bentFacetsOf(layered.sideMesh(), layered.features, layered.featureNodes));
     const std::vector<Index> patches = patchOfSurface(layered.mesh);
     std::vector<Index> sides; // of facets that go together
     for (const auto &[facet, share, isAnother] : options.insert) {

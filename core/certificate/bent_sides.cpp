@@ -133,16 +133,16 @@ void checkFidelity(const BlockInput<3> &in, const BlockComplex<3> &complex, Cert
   for (const BlockFace<3> &face : complex.faces)
     if (isBentTag(face.tag))
       faces.push_back({face.cycle, patchOf(face.tag), face.block, columnBehind(in, complex, face)});
+  const ReferenceMesh<3> &mesh = in.sideMesh();
   std::vector<SideTriangle> triangles;
-  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < 4; ++i) {
-      const Index tag = in.mesh.tags[at(s)][i];
-      if (!isBentTag(tag) || in.mesh.neighbors[at(s)][i] > s) continue;
+      const Index tag = mesh.tags[at(s)][i];
+      if (!isBentTag(tag) || mesh.neighbors[at(s)][i] > s) continue;
       SideTriangle &triangle = triangles.emplace_back(SideTriangle{{}, patchOf(tag), FaceTag::surface(tag)});
-      for (std::size_t k = 0; k < 3; ++k)
-        triangle.corners[k] = in.mesh.nodes[at(in.mesh.sortedFace(s, i)[k])];
+      for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = mesh.nodes[at(mesh.sortedFace(s, i)[k])];
       const auto &[a, b, c] = triangle.corners; // seen from the same side all over, as normals are compared
-      if ((glm::dot(glm::cross(b - a, c - a), in.mesh.faceNormal(s, i)) < 0) != FaceTag::isFront(tag))
+      if ((glm::dot(glm::cross(b - a, c - a), mesh.faceNormal(s, i)) < 0) != FaceTag::isFront(tag))
         std::swap(triangle.corners[1], triangle.corners[2]);
     }
   SideMeasures measures = measureSides(in.blocks.positions, faces, triangles, kSamples);

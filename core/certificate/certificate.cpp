@@ -97,7 +97,8 @@ template <int N> Certificate certify(const CertificateInput<N> &in, const Certif
   Findings findings{ofDual};
   for (const std::string &fault : in.primal.faults)
     of(findings, Check::topology).fail(Check::topology, fault);
-  checkBlocks<N>({in.domain, in.features, in.featureNodes, in.mesh, blocks, in.facetDeviation}, findings);
+  checkBlocks<N>({in.domain, in.features, in.featureNodes, in.mesh, blocks, in.facetDeviation, in.given},
+                 findings);
   return joined(findings);
 }
 

@@ -60,6 +60,10 @@ template <int N> struct BlockInput {
   const BlockMesh<N> &blocks;
   double facetDeviation; // how far corners of facets lie off their planes, at most: the domain is only
                          // known up to this, which bounds how well volumes can agree
+  const ReferenceMesh<N> *given = nullptr; // as PipelineResult::given
+
+  /// Its faces on facets are the facets' own.
+  const ReferenceMesh<N> &sideMesh() const { return given ? *given : mesh; }
 };
 
 template <int N> struct CertificateInput {
@@ -73,6 +77,7 @@ template <int N> struct CertificateInput {
   const DualSurfaces &surfaces;
   const Primal<N> &primal;
   double facetDeviation;
+  const ReferenceMesh<N> *given = nullptr;
 };
 
 /// The checks of the dual alone: matching and cells. Reads nothing of the primal, which may still be in the

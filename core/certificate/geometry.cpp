@@ -173,10 +173,11 @@ Vec<3> facetNormal(const std::vector<Vec<3>> &v, const Facet &f) {
 /// The domain's area or volume from its facets alone; `surface` returns the measure of its boundary.
 template <int N> double domainMeasure(const BlockInput<N> &in, double &surface) {
   std::vector<bool> outer(in.domain.facets.size(), false);
-  for (Index s = 0; s < in.mesh.simplexCount(); ++s)
+  const ReferenceMesh<N> &mesh = in.sideMesh();
+  for (Index s = 0; s < mesh.simplexCount(); ++s)
     for (int i = 0; i < N + 1; ++i)
-      if (in.mesh.neighbors[at(s)][i] == kNone && in.mesh.tags[at(s)][i] != kNone)
-        outer[at(FaceTag::surface(in.mesh.tags[at(s)][i]))] = true;
+      if (mesh.neighbors[at(s)][i] == kNone && mesh.tags[at(s)][i] != kNone)
+        outer[at(FaceTag::surface(mesh.tags[at(s)][i]))] = true;
   double sum = 0;
   surface = 0;
   const Vec<N> origin = in.domain.vertices[at(in.domain.facets[0].loops[0][0])];

@@ -241,7 +241,7 @@ void checkTopology(const BlockInput<N> &in, const BlockComplex<N> &complex, Cert
       certificate.fail(Check::topology, "the blocks' boundary is not a closed manifold",
                        {{"node", ridges[begin][0]}});
   }
-  const Shape reference = shapeOfReference(in.mesh);
+  const Shape reference = shapeOfReference(in.sideMesh());
   const Shape blocks = shapeOfBlocks(in, complex);
   if (!(reference == blocks))
     certificate.fail(Check::topology,

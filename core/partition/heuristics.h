@@ -84,8 +84,9 @@ inline constexpr int kVertexRounds = 40;
 
 // Simplices that a component may come to: so many times as many as it has, and some.
 inline constexpr Index kTimesSimplices = 40;
-inline constexpr Index kMoreSimplices = 20000;
-inline constexpr double kBentShare = 0.4; // of that: bent cuts are dear, and those that help come early
+inline constexpr Index kMoreSimplices = 60000;
+inline constexpr Index kMoreTriangles = 200000; // cheap
+inline constexpr double kBentShare = 0.4;       // of that: bent cuts are dear, and those that help come early
 // Counted again when there are so many times as many: often enough to stop in time, seldom enough to be
 // cheap.
 inline constexpr double kRecount = 1.25;
@@ -99,11 +100,58 @@ inline constexpr int kBlameRounds = 4;        // of components that are blamed o
 
 // Scaled Jacobian: with less, other choices of parts are tried, and no finer mesh is taken for a closer one.
 inline constexpr double kPoorShape = 0.1;
+inline constexpr double kNearBound = 0.8; // of what the domain's angles allow: nothing much better can come
+inline constexpr double kMuchBetter = 3;  // times the scaled Jacobian, though that stays poor
+// Times the blocks that good simplices may cost where the shape is poor, and where blocks are mere needles.
+inline constexpr double kTimesForShape = 12;
+inline constexpr double kTimesForNeedles = 100;
+inline constexpr double kNeedle = 0.02;
+// Coarsest meshes of fewer simplices are tried first: they may do.
+inline constexpr Index kFewSimplices = 250;
 inline constexpr double kGoodSine =
     0.17; // of 10 and 170 degrees: what is less distorted needs no more blocks
 inline constexpr double kWorseSine = 0.5; // of the others' worst sine: what fewer blocks may cost
 inline constexpr double kSameSine = 1e-9;
 // Of the worst scaled Jacobian: what has to be left of it in other places for them not to be a makeshift.
 inline constexpr double kKeptShape = 0.7;
+
+// --- Good simplices (remesh/). Shapes: 1 for a regular tetrahedron, 0 for a flat one. Lengths of edges are
+// shares of the size wanted where they are.
+
+inline constexpr double kLargestSize = 0.3;   // of the domain's size: larger ones save nothing
+inline constexpr double kSmallestSize = 1e-3; // of the domain's size: finer details are not followed
+inline constexpr double kPerRadius = 0.52;    // of a radius: 12 edges to a turn
+inline constexpr double kPerThickness = 1.2;  // two layers or three across a wall
+inline constexpr double kInWedge = 0.35;      // of the distance of a wedge's edge, where it is thin by itself
+inline constexpr double kAtWedge = 0.5;       // of the size of that edge
+inline constexpr double kPerGap = 1;          // of the distance of two curves that do not meet
+inline constexpr double kLeastTurn = 0.02;    // radians: less is how a tessellation is rounded
+inline constexpr double kSizeGrowth = 0.4;    // of a size along a length of 1
+// Edges longer than the first are divided, shorter than the second contracted: halves of the longest are no
+// shorter.
+inline constexpr double kLongEdge = 1.4;
+inline constexpr double kShortEdge = 0.7;
+// Where there are more tetrahedra than aimed at, all sizes grow by this factor after each round.
+inline constexpr Index kMostTets = 1500;
+inline constexpr double kCoarser = 1.15;
+inline constexpr Index kTimesMost = 8; // so many times more may there be on the way: the coarsest are long
+inline constexpr double kFittingCosine = 0.7;  // between a face on a bent side and that, 45 degrees
+inline constexpr double kFittingSagitta = 0.1; // of the shortest edge: blocks' faces are a third of it
+inline constexpr double kKeptBySplit = 1e-3;   // of a shape, by each half, where the middle moves onto a side
+inline constexpr double kShapeOfContracted = 0.1; // that an edge may be contracted to
+inline constexpr double kLeastGain = 1e-3;        // of shape, for an edit to be worth it
+inline constexpr double kPoorTet = 0.35;          // below it is worth trials that may be taken back
+inline constexpr double kGoodShape = 0.5;         // beyond, blocks are no better for more
+inline constexpr double kUsefulShape =
+    0.02; // of good simplices: what is worse is not worth thousands of blocks
+inline constexpr double kSoundShape = 0.25; // of coarsest tetrahedra that may stay as they are
+inline constexpr int kGoodAttempts = 2;
+inline constexpr double kFinerAttempt = 0.7; // of the sizes before
+inline constexpr int kSizePasses = 5;        // most is done after three
+inline constexpr int kShapePasses = 10;      // it mostly ends by itself after five
+inline constexpr int kDivideRounds = 10;
+inline constexpr int kSwapRounds = 6;
+inline constexpr int kSmoothRounds = 3;
+inline constexpr int kGradeRounds = 20;
 
 } // namespace dualblock

@@ -77,6 +77,9 @@ public:
     return trial;
   }
 
+  /// Makes them a choice even where cuts serve.
+  void countSimplices() { simplices(); }
+
 private:
   std::vector<Score> ofCuts(const Trial<N> &trial) const {
     const Parts<N> &parts = trial.decomposition.parts;
@@ -275,6 +278,7 @@ std::vector<PartProposal<N>> proposeParts(const ReferenceMesh<N> &mesh, const Pa
   if (!isLast && mesh.simplexCount() > kCheap) return proposals;
   const std::size_t components = at(mesh.componentCount);
   Chooser<N> chooser(uncut, options, coarse, components);
+  if (N == 2) chooser.countSimplices(); // few and cheap
   const auto propose = [&](const Trial<N> &trial, PartSource wanted) {
     std::vector<PartSource> source = trial.source;
     Score score;

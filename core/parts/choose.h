@@ -41,7 +41,7 @@ template <int N> struct PartChoice {
   std::array<double, 3> alternatives{-1, -1, -1};
 };
 
-/// The mesh whose simplices the fallback takes, made when it is first asked for; null if it cannot be made.
+/// A mesh whose simplices the fallback takes, made when it is first asked for; null if it cannot be made.
 template <int N> using CoarseMesh = std::function<const ReferenceMesh<N> *()>;
 
 /// Cuts `mesh`, whose parts are `uncut`, by the policies that suit its components best. Where they are cheap

@@ -18,7 +18,8 @@ template <int N> class Budget {
 public:
   /// `limit`: of the mesh's simplices; 0: none.
   Budget(const ReferenceMesh<N> &mesh, Index limit) : gaveUp(at(mesh.componentCount), false), limit_(limit) {
-    for (const Index n : sizes(mesh)) limits_.push_back(kTimesSimplices * n + kMoreSimplices);
+    for (const Index n : sizes(mesh))
+      limits_.push_back(kTimesSimplices * n + (N == 2 ? kMoreTriangles : kMoreSimplices));
   }
 
   /// Of all components together.

@@ -1,6 +1,8 @@
 #include "parts/features.h"
 
+#include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
@@ -77,6 +79,43 @@ template <int N> Features classifyFeatures(const Parts<N> &uncut) {
   return features;
 }
 
+template <int N> double angleBound(const ReferenceMesh<N> &mesh, const Parts<N> &uncut) {
+  constexpr double kRight = 90 * kDegree;
+  double smallest = kRight;
+  for (const Curve<N> &curve : uncut.curves) smallest = std::min(smallest, curve.angle);
+  if constexpr (N == 3) {
+    std::vector<bool> isVertex(mesh.nodes.size(), false);
+    for (const Corner &corner : uncut.corners) isVertex[at(corner.node)] = true;
+    struct FaceAngle {
+      Index node, part, side;
+      double angle;
+    };
+    std::vector<FaceAngle> angles;
+    for (Index s = 0; s < mesh.simplexCount(); ++s)
+      for (int i = 0; i < 4; ++i) {
+        if (mesh.tags[at(s)][i] == kNone) continue;
+        const std::array<Index, 3> v = mesh.sortedFace(s, i);
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (!isVertex[at(v[k])]) continue;
+          const Vec<3> a = mesh.nodes[at(v[(k + 1) % 3])] - mesh.nodes[at(v[k])];
+          const Vec<3> b = mesh.nodes[at(v[(k + 2) % 3])] - mesh.nodes[at(v[k])];
+          angles.push_back({v[k], uncut.partOfSimplex[at(s)], mesh.sideKey(mesh.tags[at(s)][i]),
+                            std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))});
+        }
+      }
+    const auto key = [](const FaceAngle &a) { return std::tie(a.node, a.part, a.side); };
+    sortItems(angles, [&](const FaceAngle &a, const FaceAngle &b) { return key(a) < key(b); });
+    for (std::size_t begin = 0, end = 0; begin < angles.size(); begin = end) {
+      double sum = 0;
+      for (; end < angles.size() && key(angles[end]) == key(angles[begin]); ++end) sum += angles[end].angle;
+      smallest = std::min(smallest, sum);
+    }
+  }
+  return smallest < kRight ? std::sin(smallest) : 1;
+}
+
+template double angleBound(const ReferenceMesh<2> &, const Parts<2> &);
+template double angleBound(const ReferenceMesh<3> &, const Parts<3> &);
 template void keepVertices(const ReferenceMesh<2> &, Parts<2> &);
 template void keepVertices(const ReferenceMesh<3> &, Parts<3> &);
 template Features classifyFeatures(const Parts<2> &);

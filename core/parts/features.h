@@ -34,6 +34,13 @@ template <int N> void keepVertices(const ReferenceMesh<N> &mesh, Parts<N> &uncut
 /// uncut: the parts of a mesh without split surfaces.
 template <int N> Features classifyFeatures(const Parts<N> &uncut);
 
+/// The most that the smallest scaled Jacobian of any block mesh of the domain can be, by its acute angles:
+/// between two sides along a curve, and of a side at a vertex, which blocks have as well. 1 where none is
+/// acute.
+template <int N> double angleBound(const ReferenceMesh<N> &mesh, const Parts<N> &uncut);
+
+extern template double angleBound(const ReferenceMesh<2> &, const Parts<2> &);
+extern template double angleBound(const ReferenceMesh<3> &, const Parts<3> &);
 extern template void keepVertices(const ReferenceMesh<2> &, Parts<2> &);
 extern template void keepVertices(const ReferenceMesh<3> &, Parts<3> &);
 extern template Features classifyFeatures(const Parts<2> &);

@@ -33,18 +33,32 @@ std::vector<Index> sizesOf(DisjointSets &sets, std::size_t count) {
   return sizes;
 }
 
+/// Whether a face is so narrow that its normal says nothing of the surface it was put on.
+bool isSliver(const ReferenceMesh<3> &mesh, const FaceRef<3> &face) {
+  constexpr double kNarrow = 0.05; // height over the longest edge
+  const std::array<Index, 3> v = mesh.sortedFace(face.simplex, face.face);
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, glm::length(mesh.nodes[at(v[(k + 1) % 3])] - mesh.nodes[at(v[k])]));
+  const double area2 = glm::length(
+      glm::cross(mesh.nodes[at(v[1])] - mesh.nodes[at(v[0])], mesh.nodes[at(v[2])] - mesh.nodes[at(v[0])]));
+  return area2 < kNarrow * longest * longest;
+}
+
 /// Slivers of a coarse tessellation stand askew: a triangle that is smooth with none of its three neighbours,
-/// which are with one another, belongs to the bent side that they are of.
+/// which are with one another, belongs to the bent side that they are of. Of narrow ones two will do.
 void joinMisfits(const ReferenceMesh<3> &mesh, DisjointSets &sets, const std::vector<Index> &sizes,
                  double leastCosine) {
   struct Beside {
     Index facet, other;
     Vec<3> normal; // of the other
+    bool isNarrow;
   };
   std::vector<Beside> besides;
   const auto size = [&](Index facet) { return sizes[at(sets.find(facet))]; };
-  visitRidges(mesh, [&](Index facet, FaceRef<3> /*face*/, Index other, FaceRef<3> mate) {
-    if (size(facet) == 1) besides.push_back({facet, other, mesh.outwardNormal(mate.simplex, mate.face)});
+  visitRidges(mesh, [&](Index facet, FaceRef<3> face, Index other, FaceRef<3> mate) {
+    if (size(facet) == 1)
+      besides.push_back({facet, other, mesh.outwardNormal(mate.simplex, mate.face), isSliver(mesh, face)});
   });
   sortItems(besides, [](const Beside &a, const Beside &b) {
     return a.facet != b.facet ? a.facet < b.facet : a.other < b.other;
@@ -58,9 +72,16 @@ void joinMisfits(const ReferenceMesh<3> &mesh, DisjointSets &sets, const std::ve
   };
   for (std::size_t k = 0, next = 0; k < besides.size(); k = next) {
     while (next < besides.size() && besides[next].facet == besides[k].facet) ++next;
-    if (next == k + 3 && isAlike(besides[k], besides[k + 1]) && isAlike(besides[k + 1], besides[k + 2]) &&
-        isAlike(besides[k + 2], besides[k]))
-      sets.unite(besides[k].facet, besides[k].other);
+    if (next != k + 3) continue;
+    int alike = 0;
+    std::size_t member = k; // of an alike pair
+    for (std::size_t m = 0; m < 3; ++m)
+      if (isAlike(besides[k + m], besides[k + (m + 1) % 3])) {
+        ++alike;
+        member = k + m;
+      }
+    if (alike == 3 || (alike == 1 && besides[k].isNarrow))
+      sets.unite(besides[k].facet, besides[member].other);
   }
 }
 

@@ -81,7 +81,7 @@ class BentProperty : public ::testing::TestWithParam<int> {};
 
 TEST_P(BentProperty, EverySolidGetsARightMesh) {
   const std::uint32_t first = fromEnvironment("DUALBLOCK_FIRST_SEED", 1);
-  const std::uint32_t trials = fromEnvironment("DUALBLOCK_TRIALS", 15);
+  const std::uint32_t trials = fromEnvironment("DUALBLOCK_TRIALS", 9);
   Tally tally;
   for (std::uint32_t seed = first; seed < first + trials; ++seed) {
     const Domain<3> domain = bentSolid(GetParam(), seed);

@@ -36,8 +36,10 @@ template <int N> double surfaceMeasure(const ReferenceMesh<N> &mesh, Index surfa
 }
 
 /// Everything that is wrong with the mesh, in words; empty if nothing is. `flat`: simplices may have a volume
-/// of nothing but rounding.
-template <int N> std::vector<std::string> brokenInvariants(const ReferenceMesh<N> &mesh, bool flat = false) {
+/// of nothing but rounding. `chords`: faces on bent sides only stand for their facets.
+template <int N>
+std::vector<std::string> brokenInvariants(const ReferenceMesh<N> &mesh, bool flat = false,
+                                          bool chords = false) {
   std::vector<std::string> broken;
   const auto fail = [&](const std::string &what, Index s) {
     if (broken.size() < 10) broken.push_back(what + " (simplex " + std::to_string(s) + ")");
@@ -93,6 +95,7 @@ template <int N> std::vector<std::string> brokenInvariants(const ReferenceMesh<N
     const Index surface = FaceTag::surface(tag);
     if (surface >= toIndex(mesh.surfaces.size())) return {"a tag names a surface that does not exist"};
     if (mesh.surfaces[at(surface)].kind == SurfaceKind::simplexFace) continue;
+    if (chords && mesh.surfaces[at(surface)].bent) continue;
     const Plane<N> &plane = mesh.surfaces[at(surface)].plane;
     for (const Index v : key)
       if (std::abs(plane.distance(mesh.nodes[at(v)])) > 1e-8 * mesh.size)
