@@ -218,16 +218,21 @@ private:
     }
   }
 
+  /// Tetrahedra that could be better, by their shapes.
+  std::vector<std::pair<double, Index>> worstFirst() const {
+    std::vector<std::pair<double, Index>> order;
+    for (Index t = 0; t < toIndex(mesh_.tets.size()); ++t)
+      if (mesh_.isAlive(t))
+        if (const double shape = mesh_.shape(t); shape < kGoodShape) order.emplace_back(shape, t);
+    sortItems(order);
+    return order;
+  }
+
   void swapAll() {
     for (int round = 0; round < kSwapRounds; ++round) {
       checkDeadline();
       Index swapped = 0;
-      std::vector<std::pair<double, Index>> order;
-      for (Index t = 0; t < toIndex(mesh_.tets.size()); ++t)
-        if (mesh_.isAlive(t))
-          if (const double shape = mesh_.shape(t); shape < kGoodShape) order.emplace_back(shape, t);
-      sortItems(order);
-      for (const auto &[shape, t] : order)
+      for (const auto &[shape, t] : worstFirst())
         if (mesh_.isAlive(t) && mesh_.shape(t) == shape && swapAt(t)) ++swapped;
       if (swapped == 0) break;
     }
@@ -278,12 +283,7 @@ private:
   Index improveWorst() {
     checkDeadline();
     Index edits = 0;
-    std::vector<std::pair<double, Index>> order;
-    for (Index t = 0; t < toIndex(mesh_.tets.size()); ++t)
-      if (mesh_.isAlive(t))
-        if (const double shape = mesh_.shape(t); shape < kGoodShape) order.emplace_back(shape, t);
-    sortItems(order);
-    for (const auto &[shape, t] : order) {
+    for (const auto &[shape, t] : worstFirst()) {
       if (!mesh_.isAlive(t) || mesh_.shape(t) != shape) continue;
       edits += improve(t) ? 1 : 0;
     }
