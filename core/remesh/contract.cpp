@@ -80,11 +80,11 @@ bool TetEditor::fitsCollapsed(Index a, Index b, const EdgePlace &place, double l
 /// The tetrahedron that is left at the face of b and two others takes the tag of one that goes.
 void TetEditor::moveTagsToNeighbours(Index b, const std::array<Index, 2> &others, Index tag) {
   for (const Index t : mesh_.star(b)) {
-    Tet &tet = mesh_.tets[at(t)];
+    const Tet &tet = mesh_.tets[at(t)];
     if (!tet.has(others[0]) || !tet.has(others[1])) continue;
     for (std::size_t i = 0; i < 4; ++i)
       if (tet.v[i] != b && tet.v[i] != others[0] && tet.v[i] != others[1] && tet.tags[i] == kNone)
-        tet.tags[i] = tag;
+        mesh_.setTag(t, i, tag);
   }
 }
 

@@ -39,6 +39,14 @@ void TetMesh::move(Index node, const Vec<3> &x) {
   nodes[at(node)].x = x;
 }
 
+void TetMesh::setTag(Index t, std::size_t face, Index tag) {
+  if (isMarked_) { // as if it went and came again
+    edits_.push_back({kNone, kNone, tets[at(t)], {}});
+    edits_.push_back({t, kNone, {}, {}});
+  }
+  tets[at(t)].tags[face] = tag;
+}
+
 void TetMesh::rollBack() {
   isMarked_ = false;
   // In between a tetrahedron's number may have gone to another: from the last edit on, each is the one meant.

@@ -78,6 +78,7 @@ public:
   void rollBack();
   void keep() { isMarked_ = false; }
   void move(Index node, const Vec<3> &x);
+  void setTag(Index t, std::size_t face, Index tag);
   double worstOfNew() const;
 
   const Vec<3> &x(Index node) const { return nodes[at(node)].x; }

@@ -148,11 +148,11 @@ TEST(Remesh, IsReproducibleAndFinerWhereAsked) {
   EXPECT_FALSE(remesh(once.coarse, once.features, {1, once.good.simplexCount() / 2}).has_value());
 }
 
-/// Tetrahedra as sets of nodes, wherever they are stored.
-std::multiset<std::array<Index, 4>> contents(const TetMesh &mesh) {
-  std::multiset<std::array<Index, 4>> all;
+/// Tetrahedra with their tags, wherever they are stored.
+std::multiset<std::array<std::array<Index, 4>, 2>> contents(const TetMesh &mesh) {
+  std::multiset<std::array<std::array<Index, 4>, 2>> all;
   for (Index t = 0; t < toIndex(mesh.tets.size()); ++t)
-    if (mesh.isAlive(t)) all.insert(mesh.tets[at(t)].v);
+    if (mesh.isAlive(t)) all.insert({mesh.tets[at(t)].v, mesh.tets[at(t)].tags});
   return all;
 }
 
@@ -189,6 +189,27 @@ TEST_F(Editing, IsTakenBackWhole) {
   EXPECT_EQ(contents(mesh_), before);
   for (const Index node : added) EXPECT_TRUE(mesh_.star(node).empty());
   EXPECT_EQ(mesh_.aliveCount(), coarse_.simplexCount());
+}
+
+// A tetrahedron that stays may take the tag of one that goes: that is taken back as well.
+TEST_F(Editing, TakesTagsBack) {
+  const auto v = coarse_.simplices[0];
+  const Index node = editor_.splitEdge(v[0], v[1]);
+  ASSERT_NE(node, kNone);
+  const auto before = contents(mesh_);
+  for (const Index to : {v[0], v[1]}) {
+    mesh_.mark();
+    if (editor_.collapseEdge(node, to, 0, 10)) {
+      EXPECT_NE(contents(mesh_), before);
+    }
+    mesh_.rollBack();
+    EXPECT_EQ(contents(mesh_), before);
+  }
+  mesh_.mark();
+  mesh_.setTag(0, 0, FaceTag::flipped(mesh_.tets[0].tags[0] == kNone ? 0 : mesh_.tets[0].tags[0]));
+  EXPECT_NE(contents(mesh_), before);
+  mesh_.rollBack();
+  EXPECT_EQ(contents(mesh_), before);
 }
 
 // What was divided contracts again, but never a corner into anything, nor a node off what it lies on.
