@@ -88,10 +88,7 @@ template <int N> std::vector<Vec<N>> Freedom<N>::directions(Index node, const Ve
   if (patches_.size(node) == 2)
     if (const Vec<N> direction = shape_.onCurve(p[0], p[1], x).direction; direction != Vec<N>(0.0))
       return {direction};
-  if (isOnCrease(node)) {
-    const Vec<N> direction = shape_.onCurve(p[0], p[0], x).direction;
-    return {direction};
-  }
+  if (isOnCrease(node)) return {shape_.onCurve(p[0], p[0], x).direction};
   if (isBent(node)) {
     if (patches_.size(node) == 1) return complement<N>({shape_.onSide(p[0], x).direction});
     return {}; // where bent sides touch without a curve, or more than two meet, it stays

@@ -60,10 +60,7 @@ bool TetEditor::fitsCollapsed(Index a, Index b, const EdgePlace &place, double l
     for (std::size_t i = 0; i < 4; ++i) {
       if (i != slot && lengthOf(tet.v[i], b) > longest) return false;
       if (i == slot || tet.tags[i] == kNone) continue;
-      std::array<Index, 3> face{};
-      for (std::size_t k = 0, m = 0; k < 4; ++k)
-        if (k != i) face[m++] = tet.v[k];
-      if (!fits(face, patchOf(tet.tags[i]))) return false;
+      if (!fits(tet.face(i), patchOf(tet.tags[i]))) return false;
     }
   }
   if (place.on != On::curve) return true;

@@ -98,11 +98,8 @@ bool TetEditor::swapEdge(Index a, Index b) {
   for (const Index t : shell_) {
     const Tet &tet = mesh_.tets[at(t)];
     for (const Index apex : {a, b}) {
-      std::array<Index, 3> nodes{};
-      std::size_t m = 0;
-      for (const Index v : tet.v)
-        if (v != apex) nodes[m++] = v;
-      note(nodes, tet.tags[at(tet.local(apex))]);
+      for (std::size_t i = 0; i < 4; ++i)
+        if (tet.v[i] == apex) note(tet.face(i), tet.tags[i]);
     }
   }
   if (!isClosed)
@@ -114,9 +111,7 @@ bool TetEditor::swapEdge(Index a, Index b) {
     tet.region = model.region;
     tet.component = model.component;
     for (std::size_t i = 0; i < 4; ++i) {
-      std::array<Index, 3> nodes{};
-      for (std::size_t k = 0, m = 0; k < 4; ++k)
-        if (k != i) nodes[m++] = tet.v[k];
+      std::array<Index, 3> nodes = tet.face(i);
       sortItems(nodes);
       for (const Outer &o : outer)
         if (o.nodes == nodes) tet.tags[i] = o.tag;
@@ -129,9 +124,7 @@ bool TetEditor::swapEdge(Index a, Index b) {
 bool TetEditor::swapFace(Index t, std::size_t face) {
   const Tet one = mesh_.tets[at(t)];
   if (one.tags[face] != kNone) return false;
-  std::array<Index, 3> f{};
-  for (std::size_t k = 0, m = 0; k < 4; ++k)
-    if (k != face) f[m++] = one.v[k];
+  std::array<Index, 3> f = one.face(face);
   Index u = kNone;
   for (const Index s : mesh_.star(f[0]))
     if (s != t && mesh_.tets[at(s)].has(f[1]) && mesh_.tets[at(s)].has(f[2])) u = s;

@@ -188,10 +188,7 @@ bool TetEditor::smooth(Index node) {
       const Tet &tet = mesh_.tets[at(t)];
       for (std::size_t i = 0; i < 4; ++i) {
         if (tet.tags[i] == kNone || tet.v[i] == node) continue;
-        std::array<Index, 3> face{};
-        for (std::size_t k = 0, m = 0; k < 4; ++k)
-          if (k != i) face[m++] = tet.v[k];
-        if (!fits(face, patchOf(tet.tags[i]))) return false;
+        if (!fits(tet.face(i), patchOf(tet.tags[i]))) return false;
       }
     }
     return true;

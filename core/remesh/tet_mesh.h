@@ -32,6 +32,13 @@ struct Tet {
     return -1;
   }
   bool has(Index node) const { return local(node) >= 0; }
+  /// The nodes of the face opposite to v[i], in their order.
+  std::array<Index, 3> face(std::size_t i) const {
+    std::array<Index, 3> nodes{};
+    for (std::size_t k = 0, m = 0; k < 4; ++k)
+      if (k != i) nodes[m++] = v[k];
+    return nodes;
+  }
 };
 
 /// Six times the signed volume.
