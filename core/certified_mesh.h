@@ -17,9 +17,14 @@ bool buildDual(PipelineResult<N> &r, const PartOptions &partOptions, std::vector
 /// though this one is valid: blocks are further from a side than is aimed at, or the shape has suffered.
 template <int N> bool buildResult(PipelineResult<N> &r, const PipelineOptions &options, StageClock &clock);
 
-/// The worst scaled Jacobian of r's blocks.
+/// The scaled Jacobians of the blocks that r hands out.
+template <int N> const std::vector<double> &shapesOf(const PipelineResult<N> &r) {
+  return r.finalMesh ? r.finalMesh->quality : r.quality;
+}
+
+/// The worst of them.
 template <int N> double worstShape(const PipelineResult<N> &r) {
-  return *std::min_element(r.quality.begin(), r.quality.end());
+  return *std::min_element(shapesOf(r).begin(), shapesOf(r).end());
 }
 
 #define DUALBLOCK_DECLARE(N)                                                                                 \

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "doubled_mesh.h"
+#include "partition/halve_parts.h"
 #include "partition/heuristics.h"
-#include "parts/bent_cuts.h"
 #include "remesh/tet_mesh.h"
 
 namespace dualblock {
@@ -44,20 +45,36 @@ template <int N>
   return blame;
 }
 
-/// Parts that the certificate's failures name, in components that are cut: those of blocks, and of all blocks
-/// around nodes; and those of blocks that are further from a side than is aimed at.
-std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<PartSource> &source) {
-  std::vector<bool> isAtFault(r.primal.positions.size(), false); // nodes
+/// Whose parts are cut on.
+enum class Blame : std::uint8_t {
+  wide,  // all that the certificate names, what is around nodes that it names, and blocks that are further
+         // from a side than is aimed at: mostly one round of cuts is enough then
+  narrow // of blocks that are inverted; of others only where there are none: each cut may spoil its
+         // neighbours
+};
+
+/// Parts at fault, in components that are cut.
+std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<PartSource> &source,
+                                Blame blame) {
   std::vector<Index> which;
-  const auto blame = [&](const EntityRef &e) {
-    if (e.kind == "node") isAtFault[static_cast<std::size_t>(e.index)] = true;
+  const auto addPart = [&](const EntityRef &e) {
     if (e.kind == "block") which.push_back(r.primal.blocks[static_cast<std::size_t>(e.index)].part);
   };
-  std::for_each(r.certificate.culprits.begin(), r.certificate.culprits.end(), blame);
-  std::for_each(r.certificate.fidelity.coarse.begin(), r.certificate.fidelity.coarse.end(), blame);
-  for (const Block<3> &block : r.primal.blocks)
-    if (std::any_of(block.nodes.begin(), block.nodes.end(), [&](Index n) { return isAtFault[at(n)]; }))
-      which.push_back(block.part);
+  const auto isWanted = [&] { return blame == Blame::wide || which.empty(); };
+  if (blame == Blame::narrow)
+    for (std::size_t b = 0; b < r.quality.size(); ++b)
+      if (!(r.quality[b] > 0)) which.push_back(r.primal.blocks[b].part);
+  if (isWanted()) std::for_each(r.certificate.culprits.begin(), r.certificate.culprits.end(), addPart);
+  if (isWanted()) {
+    std::vector<bool> isAtFault(r.primal.positions.size(), false); // nodes
+    for (const EntityRef &e : r.certificate.culprits)
+      if (e.kind == "node") isAtFault[static_cast<std::size_t>(e.index)] = true;
+    for (const Block<3> &block : r.primal.blocks)
+      if (std::any_of(block.nodes.begin(), block.nodes.end(), [&](Index n) { return isAtFault[at(n)]; }))
+        which.push_back(block.part);
+  }
+  if (isWanted())
+    std::for_each(r.certificate.fidelity.coarse.begin(), r.certificate.fidelity.coarse.end(), addPart);
   sortItems(which);
   which.erase(std::unique(which.begin(), which.end()), which.end());
   const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
@@ -70,13 +87,15 @@ std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<Pa
 /// Halves the parts whose blocks strayed from their bent sides, or cross others, or are inverted. Returns
 /// whether that was possible, and is still cheap.
 template <int N>
-[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, double tolerance,
-                                int &triesLeft) {
+[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, Blame blame,
+                                double tolerance, int &triesLeft) {
   if constexpr (N == 3) {
-    if (r.bentSides == 0 || r.mesh.simplexCount() > kCheapToHalve) return false;
-    const std::vector<Index> which = partsAtFault(r, source);
+    if (r.bentSides == 0 ||
+        r.mesh.simplexCount() > (blame == Blame::wide ? kCheapToHalve : kCheapToHalveFewer))
+      return false;
+    const std::vector<Index> which = partsAtFault(r, source, blame);
     const BentCutOptions options{
-        {tolerance, toIndex(r.domain.domain.facets.size())}, axesOf(r.features, r.featureNodes), {}, {}};
+        {tolerance, toIndex(r.domain.domain.facets.size())}, axesOf(r.features, r.featureNodes), {}};
     const Index cuts = halveParts(r.mesh, r.parts, which, options, triesLeft);
     r.bentCuts += cuts;
     r.cuts += cuts;
@@ -121,12 +140,14 @@ public:
     mayFallBack_ = mayFallBack;
     most_ = most;
     for (int attempt = 0;; ++attempt, r.certificate = {}) {
+      r.finalMesh.reset();
       if (!mixSources()) return false;
       const bool built = buildDual(r, partOptions_, everyFace_, clock_);
       const bool isGood = built && buildResult(r, options_, clock_);
       const bool holds = built && r.certificate.valid && serves(r, coarser_);
       if (holds && isGood && !wantsFiner()) break;
       if (holds && !coarser_) coarser_ = r;
+      if (built && !holds && worstShape(r) > 0 && r.fallbackComponents == 0) keepStraying();
       if (built && halve()) continue;
       if (holds && wantsFiner()) {
         ++goodAttempts_;
@@ -137,7 +158,8 @@ public:
         r = std::move(*coarser_);
         break;
       }
-      if (takeEarlyCuts()) continue;
+      if (halveFewer() || takeEarlyCuts()) continue;
+      if (takeDoubled()) break;
       if (r.remeshedComponents > 0) { // finer ones may be nearer to bent sides; the coarsest always work
         r.isRemeshRefused = ++goodAttempts_ == kGoodAttempts;
         if (!r.isRemeshRefused || mayFallBack) continue;
@@ -225,12 +247,56 @@ private:
   }
 
   bool halve() {
-    if (halvings_ >= kHalvings ||
-        !cutFiner(r, source_, options_.tolerance * r.mesh.size + 2 * r.domain.deviation, triesLeft_))
+    if (halvings_ == 0) unhalved_ = {r.mesh, r.parts, r.bentCuts, r.cuts, invertedBlocks() > 0};
+    const Index inverted = invertedBlocks();
+    const bool goesAstray = blame_ == Blame::narrow && halvings_ > 0 && inverted > 0 && inverted >= inverted_;
+    inverted_ = inverted;
+    if (goesAstray || halvings_ >= kHalvings ||
+        !cutFiner(r, source_, blame_, options_.tolerance * r.mesh.size + 2 * r.domain.deviation, triesLeft_))
       return false;
     ++halvings_;
     everyFace_.resize(r.mesh.simplices.size(), false);
     return true;
+  }
+
+  Index invertedBlocks() const {
+    return toIndex(static_cast<std::size_t>(
+        std::count_if(r.quality.begin(), r.quality.end(), [](double q) { return !(q > 0); })));
+  }
+
+  /// Back to the parts before they were halved, to cut fewer of them at a time.
+  bool halveFewer() {
+    if (halvings_ == 0 || blame_ == Blame::narrow || !unhalved_.hasInverted) return false;
+    r.mesh = std::move(unhalved_.mesh);
+    r.parts = std::move(unhalved_.parts);
+    r.bentCuts = unhalved_.bentCuts;
+    r.cuts = unhalved_.cuts;
+    blame_ = Blame::narrow;
+    halvings_ = 0;
+    triesOfAll_ = std::exchange(triesLeft_, kFewerAlone);
+    return true;
+  }
+
+  /// The last few of what may only be too far from bent sides.
+  void keepStraying() {
+    if (straying_.size() == kStraying) straying_.erase(straying_.begin());
+    straying_.push_back(r);
+  }
+
+  /// One of them with D-bar-surfaces doubled.
+  bool takeDoubled() {
+    const ReferenceMesh<N> *const mesh = straying_.empty() ? nullptr : fills_.coarsest();
+    const double ofSimplices = mesh ? (N + 1.0) * mesh->simplexCount() : 0;
+    for (; !straying_.empty(); straying_.pop_back()) {
+      PipelineResult<N> &straying = straying_.back();
+      const double most =
+          std::max(kTimesForShape * static_cast<double>(straying.quality.size()), ofSimplices);
+      if (!doubleStraying(straying, options_, most)) continue;
+      std::swap(r.timings, straying.timings);
+      r = std::move(straying);
+      return true;
+    }
+    return false;
   }
 
   bool takeEarlyCuts() {
@@ -239,6 +305,7 @@ private:
         takeEarly(r.mesh, decomposition_);
         takeParts();
         halvings_ = 0;
+        if (std::exchange(blame_, Blame::wide) == Blame::narrow) triesLeft_ = triesOfAll_;
         return true;
       }
     return false;
@@ -271,10 +338,20 @@ private:
   bool mayFallBack_ = true;
   Index most_ = 0;       // good simplices; 0: no bound
   int goodAttempts_ = 0; // that the certificate has refused
+  struct Unhalved {
+    ReferenceMesh<N> mesh;
+    Parts<N> parts;
+    Index bentCuts = 0, cuts = 0;
+    bool hasInverted = false;
+  } unhalved_;
+  Blame blame_ = Blame::wide;
   int halvings_ = 0;
+  Index inverted_ = 0; // blocks, before the last halving
   int triesLeft_ = kHalvedAlone;
+  int triesOfAll_ = 0; // left when fewer parts were halved at a time
   // Valid, but further from a side than is aimed at, or of a poorer shape: taken if nothing better comes.
   std::optional<PipelineResult<N>> coarser_;
+  std::vector<PipelineResult<N>> straying_; // not valid, but with no block inverted
 };
 
 } // namespace

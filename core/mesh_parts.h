@@ -3,7 +3,7 @@
 #pragma once
 
 #include "certified_mesh.h"
-#include "parts/choose.h"
+#include "partition/choose.h"
 
 namespace dualblock {
 

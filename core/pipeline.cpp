@@ -16,7 +16,7 @@ namespace {
 
 // Marked noinline: the module is 1 kB (gzip) smaller if these are there once for each dimension.
 template <int N> PartCandidate figuresOf(const PipelineResult<N> &r) {
-  PartCandidate figures{toIndex(r.parts.parts.size()), toIndex(r.quality.size())};
+  PartCandidate figures{toIndex(r.parts.parts.size()), toIndex(shapesOf(r).size())};
   figures.minScaledJacobian = -std::numeric_limits<double>::infinity();
   if (r.certificate.valid) figures.minScaledJacobian = worstShape(r);
   return figures;
@@ -74,7 +74,7 @@ void takeGoodSimplices(PipelineResult<N> &r, const PipelineOptions &options, con
   const double before = worstShape(r);
   const double times = before < kNeedle ? kTimesForNeedles : kTimesForShape;
   PipelineResult<N> other = r;
-  const auto most = static_cast<Index>(times * static_cast<double>(r.quality.size()) / (N + 1));
+  const auto most = static_cast<Index>(times * static_cast<double>(shapesOf(r).size()) / (N + 1));
   const bool holds = meshGoodSimplices(other, most, options, fills, inner);
   clock.stop();
   if (!holds || !other.certificate.valid) return;
@@ -207,11 +207,16 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const ModeOptions &mode = options.mode;
   if (r.certificate.valid && (mode.mode != Mode::layered || !mode.extract.empty() || !mode.insert.empty())) {
     clock.start("extraction", 0.95);
-    const BlockMesh<N> layered = layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
+    const BlockMesh<N> layered =
+        r.finalMesh ? r.finalMesh->blocks : layeredBlocks(r.mesh, r.parts, r.surfaces, r.primal);
     const BlockInput<N> input{r.domain.domain, r.features,         r.featureNodes, r.mesh,
                               layered,         r.domain.deviation, r.given.get()};
     auto made = makeFinalMesh(input, r.certificate, mode, r.domain.facetOfGiven);
     if (!made.ok()) return made.error();
+    if (r.finalMesh) {
+      const auto &doubled = r.finalMesh->inserted;
+      made.value().inserted.insert(made.value().inserted.begin(), doubled.begin(), doubled.end());
+    }
     r.finalMesh = std::move(made.value());
     r.certificate = r.finalMesh->certificate; // matching and cells have passed, on the layered mesh
   }

@@ -5,7 +5,7 @@
 
 #include "blocks/modes.h"
 #include "domain/prepare.h"
-#include "parts/choose.h"
+#include "partition/choose.h"
 #include "parts/features.h"
 #include "reference/fill.h"
 #include "refinement/refine_blocks.h"

@@ -76,6 +76,17 @@ inline constexpr int kBentRounds = 80;
 inline constexpr std::size_t kMoreParts = 3;
 inline constexpr std::size_t kFewMoreParts = 6;
 
+// --- Joints: corners of too many sides, sides unlike those behind them
+
+inline constexpr Index kCrowdedWeight = 3;   // per side too many: each needs a cut of its own
+inline constexpr Index kUnlikeWeight = 2;    // per corner: they come in pairs, of which one cut cures both
+inline constexpr Index kTornWeight = 3;      // per part
+inline constexpr Index kJointTrials = 200;   // cuts that are tried
+inline constexpr Index kJointWork = 2000000; // simplices that they may go through in all: 2 s
+inline constexpr Index kJointDetour = 3;     // of cost: how much worse a cut may be that others mend
+inline constexpr double kSameJoint = 1e-2;   // sine between curves that give no plane
+inline constexpr double kSameJointCosine = 1e-5;
+
 // --- Corners of too many sides (rule 2)
 
 inline constexpr int kVertexRounds = 40;
@@ -94,7 +105,19 @@ inline constexpr Index kCheap = 10000;        // simplices, up to which other po
 inline constexpr Index kCheapToHalve = 60000; // up to which parts that do not serve are halved
 inline constexpr int kHalvings = 8;           // rounds of that
 inline constexpr int kHalvedAlone = 40;       // cuts of single parts that are tried in all of them
-inline constexpr int kBlameRounds = 4;        // of components that are blamed one by one; then all fall back
+// The same where fewer parts are halved at a time: that ends where no fewer blocks are inverted afterwards.
+inline constexpr Index kCheapToHalveFewer = 120000;
+inline constexpr int kFewerAlone = 200;
+inline constexpr int kBlameRounds = 4; // of components that are blamed one by one; then all fall back
+
+// --- Blocks that stray from bent sides: D-bar-surfaces doubled
+
+inline constexpr int kDoublings = 4;        // rounds
+inline constexpr int kPutRounds = 8;        // of nodes that go onto their sides as far as blocks stay valid
+inline constexpr int kPutHalvings = 5;      // of their way there
+inline constexpr int kPutSweeps = 3;        // of relaxation between rounds
+inline constexpr double kPutShape = 0.02;   // scaled Jacobian that they may go down to
+inline constexpr std::size_t kStraying = 3; // meshes that stray, of which one may be doubled
 
 // --- Which parts are better
 

@@ -130,4 +130,12 @@ bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const std::vec
   return true;
 }
 
+std::vector<Index> halfOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const Axis &axis,
+                          const Vec<3> &towards) {
+  std::vector<Index> half;
+  for (const Index n : chain.nodes)
+    if (glm::dot(nodes[at(n)] - axis.centre, towards) > 0) half.push_back(n);
+  return half;
+}
+
 } // namespace dualblock

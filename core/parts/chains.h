@@ -26,6 +26,10 @@ struct Axis {
 };
 bool axisOf(const Chain &chain, const std::vector<Vec<3>> &nodes, Axis &axis);
 
+/// The nodes of a chain on the side of an axis that `towards` points to.
+std::vector<Index> halfOf(const Chain &chain, const std::vector<Vec<3>> &nodes, const Axis &axis,
+                          const Vec<3> &towards);
+
 /// The axes of all curves that turn.
 std::vector<Axis> axesOf(const Parts<3> &parts, const std::vector<Vec<3>> &nodes);
 

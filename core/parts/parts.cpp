@@ -229,15 +229,38 @@ std::vector<Index> sideEuler(const Parts<N> &parts, const BoundaryFaces<N> &boun
   return chi;
 }
 
+} // namespace
+
+template <int N> std::vector<UnlikeCorner> unlikeCorners(const Parts<N> &parts) {
+  std::vector<UnlikeCorner> unlike;
+  if constexpr (N == 2) return unlike;                 // a side's ends are those of the one behind it
+  const auto hasCorner = [&](Index side, Index node) { // corners are in the order of parts, then nodes
+    const Index part = parts.sides[at(side)].part;
+    const auto found =
+        std::lower_bound(parts.corners.begin(), parts.corners.end(), std::pair(part, node),
+                         [](const Corner &c, const auto &key) { return std::pair(c.part, c.node) < key; });
+    return found != parts.corners.end() && found->part == part && found->node == node &&
+           std::binary_search(found->sides.begin(), found->sides.end(), side);
+  };
+  for (const Corner &corner : parts.corners)
+    for (const Index side : corner.sides) {
+      const Index opposite = parts.sides[at(side)].opposite;
+      if (opposite != kNone && !hasCorner(opposite, corner.node))
+        unlike.push_back({parts.sides[at(opposite)].part, corner.node});
+    }
+  return unlike;
+}
+
+namespace {
+
 /// Condition (c): a ball whose sides are discs, two sides share at most one curve, N sides meet at a corner.
 template <int N>
 void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::vector<Index> &sideOf,
                 const Earlier<Parts<N>> &earlier) {
-  const auto blame = [&](Index part, const char *why) {
+  const auto blame = [&](Index part, Defect defect) {
     if (N == 3 && !earlier.holds.empty() && earlier.holds[at(part)]) return;
     PartInfo &info = parts.parts[at(part)];
-    if (info.simple) info.why = why;
-    info.simple = false;
+    if (info.isSimple()) info.defect = defect;
   };
   DisjointSets shells(parts.sides.size());
   for (const Curve<N> &curve : parts.curves) shells.unite(curve.sides[0], curve.sides[1]);
@@ -246,29 +269,30 @@ void judgeParts(Parts<N> &parts, const BoundaryFaces<N> &boundary, const std::ve
     const Index part = parts.sides[at(side)].part;
     const Index shell = shells.find(side);
     if (shellOfPart[at(part)] == kNone) shellOfPart[at(part)] = shell;
-    if (shellOfPart[at(part)] != shell) blame(part, "its boundary is in several pieces");
+    if (shellOfPart[at(part)] != shell) blame(part, Defect::severalShells);
   }
   const std::vector<Index> chi = sideEuler(parts, boundary, sideOf);
   for (std::size_t s = 0; s < chi.size(); ++s)
-    if (chi[s] != 1) blame(parts.sides[s].part, N == 3 ? "a side is not a disc" : "a side is not a path");
+    if (chi[s] != 1) blame(parts.sides[s].part, Defect::closedSide);
   std::vector<Index> euler(parts.parts.size(), 0); // corners - curves + sides
   for (const Side &side : parts.sides) euler[at(side.part)] += N == 3 ? 1 : -1;
   for (const Curve<N> &curve : parts.curves) {
-    if (!curve.open) blame(curve.part, "two sides meet in more than one curve, or in a closed one");
+    if (!curve.open) blame(curve.part, Defect::severalCurves);
     if constexpr (N == 3) --euler[at(curve.part)];
   }
   for (const Corner &corner : parts.corners) {
     ++euler[at(corner.part)];
-    if (corner.sides.size() > N) blame(corner.part, "more sides meet at a corner than there are dimensions");
-    if (corner.sides.size() < N) blame(corner.part, "a curve turns sharply where only two sides meet");
+    if (corner.sides.size() > N) blame(corner.part, Defect::crowdedCorner);
+    if (corner.sides.size() < N) blame(corner.part, Defect::kink);
   }
   for (std::size_t p = 0; p < euler.size(); ++p)
-    if (euler[p] != (N == 3 ? 2 : 0)) blame(toIndex(p), "it is not a ball");
+    if (euler[p] != (N == 3 ? 2 : 0)) blame(toIndex(p), Defect::noBall);
   for (std::size_t p = 0; p < euler.size(); ++p)
-    if (parts.partSides.size(toIndex(p)) < N + 1) blame(toIndex(p), "it has too few sides");
+    if (parts.partSides.size(toIndex(p)) < N + 1) blame(toIndex(p), Defect::fewSides);
   for (const Side &side : parts.sides)
     if (side.opposite != kNone && parts.sides[at(side.opposite)].opposite == kNone)
-      blame(side.part, "a split surface is not one whole side of both its parts");
+      blame(side.part, Defect::tornSplit);
+  for (const UnlikeCorner &corner : unlikeCorners(parts)) blame(corner.part, Defect::unlikeSides);
 }
 
 /// Links each side on a split surface to the side behind it; kNone where there is more than one.
@@ -288,9 +312,7 @@ void linkOpposites(const ReferenceMesh<N> &mesh, Parts<N> &parts, const Boundary
   }
   for (std::size_t s = 0; s < torn.size(); ++s) {
     if (!torn[s]) continue;
-    PartInfo &info = parts.parts[at(parts.sides[s].part)];
-    info.simple = false;
-    info.why = "a split surface is not one whole side of both its parts";
+    parts.parts[at(parts.sides[s].part)].defect = Defect::tornSplit;
     parts.sides[s].opposite = kNone;
   }
 }
@@ -303,7 +325,7 @@ Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
   Parts<N> parts;
   Index partCount = 0;
   parts.partOfSimplex = floodUntagged(mesh, partCount);
-  parts.parts.assign(at(partCount), {true, "", 0});
+  parts.parts.assign(at(partCount), {});
   for (Index s = 0; s < mesh.simplexCount(); ++s)
     parts.parts[at(parts.partOfSimplex[at(s)])].region = mesh.region[at(s)];
   const auto holds = [&](Index s) {
@@ -379,6 +401,8 @@ Parts<N> buildParts(const ReferenceMesh<N> &mesh, const PartOptions &options,
   return parts;
 }
 
+template std::vector<UnlikeCorner> unlikeCorners(const Parts<2> &);
+template std::vector<UnlikeCorner> unlikeCorners(const Parts<3> &);
 template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &, const Earlier<Parts<2>> &);
 template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &, const Earlier<Parts<3>> &);
 

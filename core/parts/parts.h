@@ -6,8 +6,8 @@
 #include <memory>
 #include <numbers>
 #include <span>
-#include <string>
 
+#include "parts/defects.h"
 #include "reference/reference_mesh.h"
 
 namespace dualblock {
@@ -49,9 +49,9 @@ struct Corner {
 };
 
 struct PartInfo {
-  bool simple;     // condition (c) of ARCHITECTURE.md 2
-  std::string why; // what is not simple about it
-  Index region;
+  Defect defect = Defect::none; // the first that was found
+  Index region = 0;
+  bool isSimple() const { return defect == Defect::none; } // condition (c) of ARCHITECTURE.md 2
 };
 
 /// What the curves and corners of parts consist of, one after the other: there are too many of them to have
@@ -73,6 +73,15 @@ template <int N> struct Parts {
   Lists<Index> partSides;                       // per part
   std::shared_ptr<const FeatureStore<N>> store; // of curves and corners; copies share it
 };
+
+/// A corner of a side on a split surface that the side behind it does not have, so that blocks would not fit.
+struct UnlikeCorner {
+  Index part; // the one that lacks it
+  Index node;
+};
+
+/// In the order of the sides that have them.
+template <int N> std::vector<UnlikeCorner> unlikeCorners(const Parts<N> &parts);
 
 struct PartOptions {
   const std::vector<bool> *everyFace = nullptr; // per simplex: true where each face is a side of its own
@@ -115,6 +124,8 @@ template <int N> std::vector<Index> componentOfParts(const ReferenceMesh<N> &mes
   return component;
 }
 
+extern template std::vector<UnlikeCorner> unlikeCorners(const Parts<2> &);
+extern template std::vector<UnlikeCorner> unlikeCorners(const Parts<3> &);
 extern template Parts<2> buildParts(const ReferenceMesh<2> &, const PartOptions &, const Earlier<Parts<2>> &);
 extern template Parts<3> buildParts(const ReferenceMesh<3> &, const PartOptions &, const Earlier<Parts<3>> &);
 

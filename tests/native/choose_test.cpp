@@ -1,7 +1,7 @@
 // The choice among policies of cutting: fewest blocks, then the least distorted.
 #include <gtest/gtest.h>
 
-#include "parts/sectors.h"
+#include "partition/sources/sectors.h"
 #include "support/examples.h"
 #include "support/random_domains.h"
 

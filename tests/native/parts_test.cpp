@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parts/sectors.h"
+#include "partition/sources/sectors.h"
 #include "support/examples.h"
 
 namespace dualblock::test {
@@ -35,8 +35,7 @@ TEST_P(Features, Counts) {
             EXPECT_EQ(parts.sides.size(), shape.sides);
             EXPECT_EQ(parts.curves.size(), shape.curves);
             EXPECT_EQ(parts.corners.size(), shape.corners);
-            EXPECT_EQ(parts.parts[0].simple, shape.simple) << parts.parts[0].why;
-            EXPECT_EQ(parts.parts[0].why.empty(), shape.simple);
+            EXPECT_EQ(parts.parts[0].isSimple(), shape.simple) << describe(parts.parts[0].defect, 3);
           },
           loadExample(shape.name));
 }
@@ -129,7 +128,7 @@ TEST(Decompose, PartsBecomeConvexAndSimple) {
                            "notched_cube", "double_pyramid", "hexagonal_pyramid"}) {
     SCOPED_TRACE(name);
     const auto result = run(loadExample<3>(name));
-    for (const PartInfo &part : result.parts.parts) EXPECT_TRUE(part.simple) << part.why;
+    for (const PartInfo &part : result.parts.parts) EXPECT_TRUE(part.isSimple()) << describe(part.defect, 3);
     for (const Curve<3> &curve : result.parts.curves) EXPECT_LE(curve.angle, std::numbers::pi + 1e-6);
     for (const Corner &corner : result.parts.corners) EXPECT_EQ(corner.sides.size(), 3U);
     for (const Side &side : result.parts.sides) {
@@ -141,9 +140,11 @@ TEST(Decompose, PartsBecomeConvexAndSimple) {
 }
 
 TEST(Parts, NotSimpleForAReason) {
-  const auto why = [](const char *name) { return buildParts(fill(loadExample<3>(name)), {}).parts[0].why; };
-  EXPECT_NE(why("double_pyramid").find("corner"), std::string::npos);
-  EXPECT_NE(why("square_ring").find("disc"), std::string::npos);
+  const auto defect = [](const char *name) {
+    return buildParts(fill(loadExample<3>(name)), {}).parts[0].defect;
+  };
+  EXPECT_EQ(defect("double_pyramid"), Defect::crowdedCorner);
+  EXPECT_EQ(defect("square_ring"), Defect::closedSide);
 }
 
 // A 24-gon for a circle, 15 degrees from facet to facet: facets that are not coplanar stay sides of their
@@ -154,12 +155,12 @@ TEST(Parts, FacetsOfACylinderAreSides) {
   const auto parts = buildParts(fill(prism(circle, 0, 1), 0, 0, 0), {});
   EXPECT_EQ(parts.sides.size(), 26U);
   EXPECT_EQ(parts.curves.size(), 72U);
-  EXPECT_TRUE(parts.parts[0].simple) << parts.parts[0].why;
+  EXPECT_TRUE(parts.parts[0].isSimple()) << describe(parts.parts[0].defect, 3);
   const auto round = buildParts(fill(prism(circle, 0, 1)), {});
   EXPECT_EQ(round.sides.size(), 3U);
   EXPECT_EQ(round.curves.size(), 2U); // closed ones
   EXPECT_EQ(round.corners.size(), 0U);
-  EXPECT_FALSE(round.parts[0].simple);
+  EXPECT_FALSE(round.parts[0].isSimple());
 }
 
 TEST(Parts, EveryFaceMakesEachSimplexAPart) {
@@ -178,7 +179,7 @@ TEST(Parts, EveryFaceMakesEachSimplexAPart) {
   EXPECT_EQ(parts.sides.size(), 4 * mesh.simplices.size());
   EXPECT_EQ(parts.curves.size(), 6 * mesh.simplices.size());
   EXPECT_EQ(parts.corners.size(), 4 * mesh.simplices.size());
-  for (const PartInfo &part : parts.parts) EXPECT_TRUE(part.simple) << part.why;
+  for (const PartInfo &part : parts.parts) EXPECT_TRUE(part.isSimple()) << describe(part.defect, 3);
 }
 
 } // namespace

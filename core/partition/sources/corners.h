@@ -1,7 +1,7 @@
 // Cuts through vertices of more than three sides (ARCHITECTURE.md 3, rule 2). Internal to parts/.
 #pragma once
 
-#include "parts/cut_options.h"
+#include "partition/cut_options.h"
 #include "parts/parts.h"
 
 namespace dualblock {

@@ -2,8 +2,8 @@
 // gives fewest blocks, then the least distorted ones.
 #pragma once
 
-#include "parts/decompose.h"
-#include "parts/fallback.h"
+#include "partition/decompose.h"
+#include "partition/fills/mixed_mesh.h"
 
 namespace dualblock {
 

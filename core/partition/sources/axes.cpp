@@ -4,10 +4,46 @@
 
 #include "base/sort.h"
 #include "partition/heuristics.h"
-#include "parts/bent_proposals.h"
+#include "partition/sources.h"
 
 namespace dualblock {
 namespace {
+
+/// A closed curve and the sides that meet in it.
+struct Loop {
+  Chain chain;
+  std::array<Index, 2> sides;
+};
+
+/// The part's closed curves, and the axes of the domain's that its open ones are arcs of.
+struct Turns {
+  std::vector<Loop> loops;
+  std::vector<const Axis *> arcs; // each once
+};
+
+/// Curves that bent cuts have left are ragged: those of the domain itself know their axis better, and those
+/// on a given side and a plane cut hardly less so.
+int raggedness(const PartView &v, const Loop &loop) {
+  int ragged = 0;
+  for (const Index side : loop.sides)
+    if (!v.isGiven(side)) ragged += v.isBent(side) ? 3 : 1;
+  return ragged;
+}
+
+Turns turnsOf(const PartView &v) {
+  Turns turns;
+  for (const Curve<3> *curve : v.curves)
+    for (const Chain &chain : chainsOf(*curve)) {
+      Axis axis;
+      if (chain.closed) turns.loops.push_back({chain, curve->sides});
+      else if (axisOf(chain, v.mesh.nodes, axis))
+        if (const Axis *known = knownAxis(v.axes, chain, v.mesh.nodes, axis);
+            known && std::find(turns.arcs.begin(), turns.arcs.end(), known) == turns.arcs.end())
+          turns.arcs.push_back(known);
+    }
+  sortItems(turns.loops, [&](const Loop &a, const Loop &b) { return raggedness(v, a) < raggedness(v, b); });
+  return turns;
+}
 
 /// Tells planes through the axis that divide a chain along or across its length: of a circle's all do. Others
 /// would leave parts that are skew.
@@ -27,23 +63,7 @@ auto principalPlanes(const PartView &v, const Chain &chain, const Axis &axis) {
   };
 }
 
-} // namespace
-
-std::vector<Index> halfOf(const PartView &v, const Chain &chain, const Axis &axis, const Vec<3> &towards) {
-  std::vector<Index> half;
-  for (const Index n : chain.nodes)
-    if (glm::dot(v.node(n) - axis.centre, towards) > 0) half.push_back(n);
-  return half;
-}
-
-int raggedness(const PartView &v, const Loop &loop) {
-  int ragged = 0;
-  for (const Index side : loop.sides)
-    if (!v.isGiven(side)) ragged += v.isBent(side) ? 3 : 1;
-  return ragged;
-}
-
-std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns &turns) {
+std::vector<Cut> alongAxis(const PartView &v, const Loop &loop, const Turns &turns) {
   Axis axis;
   if (!axisOf(loop.chain, v.mesh.nodes, v.axes, axis)) return {};
   const double reach = kOnAxis * v.mesh.size;
@@ -94,7 +114,7 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
   const auto divides = principalPlanes(v, loop.chain, axis);
   const bool isLone = others.empty() && v.corners.empty(); // nothing else tells about directions
   using Score = std::tuple<int, int, int, int, double>;
-  std::vector<std::pair<Score, Proposal>> ranked;
+  std::vector<std::pair<Score, Cut>> ranked;
   for (const Vec<3> &target : targets) {
     const Vec<3> across = glm::cross(axis.direction, target - axis.centre);
     if (glm::length(across) <= 1e3 * reach) continue;
@@ -128,13 +148,24 @@ std::vector<Proposal> alongAxis(const PartView &v, const Loop &loop, const Turns
       return std::abs(glm::dot(r.second.surface.plane.normal, plane.normal)) > 1 - 1e-9;
     });
     if (known != ranked.end() && known->first >= score) continue;
-    ranked.emplace_back(score, Proposal{planeSurface(axis.centre, plane.normal),
-                                        half ? halfOf(v, loop.chain, axis, towards) : std::move(from)});
+    ranked.emplace_back(score, Cut{planeSurface(axis.centre, plane.normal),
+                                   half ? halfOf(loop.chain, v.mesh.nodes, axis, towards) : std::move(from)});
   }
   sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
-  std::vector<Proposal> list;
+  std::vector<Cut> list;
   for (std::size_t k = 0; k < std::min(ranked.size(), kAxisPlanes); ++k)
     list.push_back(std::move(ranked[k].second));
+  return list;
+}
+
+} // namespace
+
+std::vector<Cut> alongAxes(const PartView &v) {
+  std::vector<Cut> list;
+  if (!v.hasBentSide()) return list;
+  const Turns turns = turnsOf(v);
+  for (const Loop &loop : turns.loops)
+    for (Cut &cut : alongAxis(v, loop, turns)) list.push_back(std::move(cut));
   return list;
 }
 

@@ -1,4 +1,4 @@
-#include "parts/corner_cuts.h"
+#include "partition/sources/corners.h"
 
 #include <cmath>
 #include <optional>

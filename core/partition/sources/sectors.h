@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "parts/cut_options.h"
+#include "partition/cut_options.h"
 #include "parts/features.h"
 #include "parts/ridge.h"
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "parts/cut_options.h"
+#include "partition/cut_options.h"
+#include "partition/fills/pull.h"
 #include "parts/features.h"
-#include "parts/pull.h"
 
 namespace dualblock {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "parts/sectors.h"
+#include "partition/sources/sectors.h"
 
 namespace dualblock {
 

@@ -1,4 +1,4 @@
-#include "parts/sheets.h"
+#include "partition/sources/sheets.h"
 
 #include <cmath>
 #include <limits>

@@ -1,13 +1,13 @@
-#include "parts/decompose.h"
+#include "partition/decompose.h"
 
 #include <numeric>
 
 #include "base/sort.h"
+#include "partition/bent_search.h"
 #include "partition/heuristics.h"
-#include "parts/bent_cuts.h"
-#include "parts/corner_cuts.h"
+#include "partition/sources/corners.h"
+#include "partition/sources/reflex.h"
 #include "parts/place.h"
-#include "parts/reflex_cuts.h"
 
 namespace dualblock {
 namespace {
@@ -67,51 +67,6 @@ private:
   Index limit_;
 };
 
-/// Per component, whether all its parts are simple.
-std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> &parts) {
-  std::vector<bool> simple(at(mesh.componentCount), true);
-  const std::vector<Index> component = componentOfParts(mesh, parts);
-  for (std::size_t p = 0; p < parts.parts.size(); ++p)
-    if (!parts.parts[p].simple) simple[at(component[p])] = false;
-  return simple;
-}
-
-/// Rule 3. Where all parts of a component are simple, further cuts only better their shape: one that leaves
-/// one that is not is taken back, and not tried again.
-void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
-                  Budget<3> &budget, Decomposition<3> &result) {
-  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
-    return;
-  BentCutOptions bentOptions{options, axesOf(uncut, mesh.nodes), options.policies, {}};
-  std::vector<bool> simple = simpleComponents(mesh, result.parts);
-  std::vector<bool> isDone = budget.gaveUp;
-  for (int round = 0; round < kBentRounds; ++round) {
-    ReferenceMesh<3> before = mesh;
-    const bool areSimple = std::find(simple.begin(), simple.end(), false) == simple.end();
-    const CutReason reason = cutBentPart(mesh, result.parts, bentOptions, isDone);
-    if (reason == CutReason::none) break;
-    Parts<3> parts = buildParts(mesh, PartOptions{});
-    const std::vector<bool> isSimpleNow = simpleComponents(mesh, parts);
-    bool isWorse = false;
-    for (std::size_t c = 0; c < simple.size(); ++c) isWorse = isWorse || (simple[c] && !isSimpleNow[c]);
-    if (isWorse) {
-      bentOptions.refused.push_back(mesh.surfaces.back().plane);
-      mesh = std::move(before);
-      continue;
-    }
-    if (areSimple && reason == CutReason::shape && !result.early)
-      result.early = std::make_shared<EarlyParts>(
-          EarlyParts{std::move(before), std::move(result.parts), result.bentCuts});
-    ++result.bentCuts;
-    result.parts = std::move(parts);
-    simple = isSimpleNow;
-    isDone = budget.spend(mesh, kBentShare, simple);
-  }
-  if (result.early &&
-      result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
-    takeEarly(mesh, result);
-}
-
 /// The order of curves by their extreme points, which is the same on every reference mesh: where a cut may
 /// serve several curves, the first one decides.
 template <int N> void sortByPlace(const ReferenceMesh<N> &mesh, std::vector<const Curve<N> *> &curves) {
@@ -143,6 +98,34 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
     cuts += cutReflexCurve<N>(mesh, *curve, wanting, parts.curves, policyOf(*curve), options);
   }
   if (mesh.simplexCount() > options.mostSimplices) budget.update(mesh);
+}
+
+/// Rule 3.
+void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
+                  Budget<3> &budget, Decomposition<3> &result) {
+  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
+    return;
+  const auto cutReflex = [&](ReferenceMesh<3> &cut, const Parts<3> &parts) {
+    const Index before = result.reflexCuts;
+    cutReflexCurves(cut, parts, options, budget, result.reflexCuts);
+    return result.reflexCuts > before;
+  };
+  BentSearch search(mesh, result.parts, {options, axesOf(uncut, mesh.nodes), options.policies}, cutReflex);
+  std::vector<bool> isDone = budget.gaveUp;
+  for (int round = 0; round < kBentRounds; ++round) {
+    const bool areSimple =
+        std::find(search.isSimple.begin(), search.isSimple.end(), false) == search.isSimple.end();
+    const CutReason reason = search.step(isDone);
+    if (reason == CutReason::none) break;
+    if (areSimple && reason == CutReason::shape && !result.early)
+      result.early = std::make_shared<EarlyParts>(
+          EarlyParts{std::move(search.meshBefore), std::move(search.partsBefore), result.bentCuts});
+    ++result.bentCuts;
+    isDone = budget.spend(mesh, kBentShare, search.isSimple);
+  }
+  if (result.early &&
+      result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
+    takeEarly(mesh, result);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include "base/sort.h"
 #include "partition/heuristics.h"
-#include "parts/bent_proposals.h"
+#include "partition/sources.h"
 
 namespace dualblock {
 namespace {
@@ -47,7 +47,7 @@ bool turnsTooFar(const PartView &v, Index side) {
 /// Across a side that turns too far: through the axis of the arc that turns most, and that of another arc or,
 /// failing that, a vertex near the middle, or else the middle itself. Where there is a second such arc the
 /// plane runs from one to the other.
-std::optional<Proposal> acrossArc(const PartView &v, Index side) {
+std::optional<Cut> acrossArc(const PartView &v, Index side) {
   struct Arc {
     double turn;
     Chain chain;
@@ -101,8 +101,8 @@ std::optional<Proposal> acrossArc(const PartView &v, Index side) {
       if (std::count_if(corner->sides.begin(), corner->sides.end(),
                         [&](Index s) { return v.kindOf(s) != SurfaceKind::bentCut; }) >= 3)
         attract(v.node(corner->node));
-  return Proposal{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
-                  halfOf(v, chain, axis, towards)};
+  return Cut{planeSurface(axis.centre, glm::cross(axis.direction, towards)),
+             halfOf(chain, v.mesh.nodes, axis, towards)};
 }
 
 /// Where a chain turns: at its nodes, or at every few of them where there are many, as cuts leave jags.
@@ -128,7 +128,7 @@ Bends bendsOf(const PartView &v, const Chain &chain) {
 }
 
 /// Square to a chain at one of its nodes; through the axis where it is an arc of a circle.
-Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
+Cut squareTo(const PartView &v, const Chain &chain, std::size_t place) {
   const Vec<3> x = v.node(chain.nodes[place]);
   Vec<3> normal =
       glm::normalize(x - v.node(chain.nodes[place - 1])) + glm::normalize(v.node(chain.nodes[place + 1]) - x);
@@ -144,9 +144,8 @@ Proposal squareTo(const PartView &v, const Chain &chain, std::size_t place) {
 
 /// Across the curves that `wanted` accepts and that turn by more than `least`, half way of what they turn by;
 /// those that turn most first.
-template <typename Wanted>
-std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wanted) {
-  std::vector<std::pair<double, Proposal>> ranked;
+template <typename Wanted> std::vector<Cut> acrossSome(const PartView &v, double least, Wanted wanted) {
+  std::vector<std::pair<double, Cut>> ranked;
   for (const Curve<3> *curve : v.curves) {
     if (!wanted(*curve)) continue;
     for (const Chain &chain : chainsOf(*curve)) {
@@ -159,31 +158,31 @@ std::vector<Proposal> acrossCurves(const PartView &v, double least, Wanted wante
     }
   }
   sortItems(ranked, [](const auto &a, const auto &b) { return a.first > b.first; });
-  std::vector<Proposal> list;
-  for (auto &[turn, proposal] : ranked) list.push_back(std::move(proposal));
+  std::vector<Cut> list;
+  for (auto &[turn, cut] : ranked) list.push_back(std::move(cut));
   return list;
 }
 
 } // namespace
 
-std::vector<Proposal> following(const PartView &v) {
-  return acrossCurves(v, kMostCurveTurn, [&](const Curve<3> &curve) {
+std::vector<Cut> acrossCurves(const PartView &v) {
+  return acrossSome(v, kMostCurveTurn, [&](const Curve<3> &curve) {
     return v.isGiven(curve.sides[0]) && v.isGiven(curve.sides[1]);
   });
 }
 
-std::vector<Proposal> halving(const PartView &v) {
-  return acrossCurves(v, kLeastCurveTurn, [&](const Curve<3> &curve) {
+std::vector<Cut> halving(const PartView &v) {
+  return acrossSome(v, kLeastCurveTurn, [&](const Curve<3> &curve) {
     return std::any_of(curve.sides.begin(), curve.sides.end(),
                        [&](Index side) { return v.isGiven(side) && v.isBent(side); });
   });
 }
 
-std::vector<Proposal> shaping(const PartView &v) {
-  std::vector<Proposal> list;
-  for (const Index *side = v.parts.partSides.begin(v.part); side != v.parts.partSides.end(v.part); ++side)
+std::vector<Cut> acrossTurns(const PartView &v) {
+  std::vector<Cut> list;
+  for (const Index *side = v.firstSide(); side != v.lastSide(); ++side)
     if (v.isGiven(*side) && v.isBent(*side) && turnsTooFar(v, *side))
-      if (std::optional<Proposal> proposal = acrossArc(v, *side)) list.push_back(std::move(*proposal));
+      if (std::optional<Cut> cut = acrossArc(v, *side)) list.push_back(std::move(*cut));
   return list;
 }
 

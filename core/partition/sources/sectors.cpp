@@ -1,4 +1,4 @@
-#include "parts/sectors.h"
+#include "partition/sources/sectors.h"
 
 #include <bit>
 #include <cmath>

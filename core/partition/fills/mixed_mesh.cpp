@@ -1,4 +1,4 @@
-#include "parts/fallback.h"
+#include "partition/fills/mixed_mesh.h"
 
 namespace dualblock {
 namespace {

@@ -1,4 +1,4 @@
-#include "parts/choose.h"
+#include "partition/choose.h"
 
 #include <cmath>
 #include <limits>
@@ -91,7 +91,7 @@ private:
       worst = std::min(worst, std::sin(curve.angle));
     }
     for (std::size_t p = 0; p < parts.parts.size(); ++p)
-      if (!parts.parts[p].simple) scores[at(component[p])].blocks = kNever;
+      if (!parts.parts[p].isSimple()) scores[at(component[p])].blocks = kNever;
     for (std::size_t c = 0; c < components_; ++c)
       if (trial.decomposition.gaveUp[c]) scores[c].blocks = kNever;
     return scores;
@@ -175,7 +175,8 @@ template <int N> void explain(const Trial<N> &trial, PartChoice<N> &choice) {
         "cuts would give more blocks, or many times more simplices, than the reference mesh has";
     if (trial.decomposition.gaveUp[c]) continue;
     for (const PartInfo &part : parts.parts)
-      if (!part.simple) choice.whySimplices = "a part could not be made simple: " + part.why;
+      if (!part.isSimple())
+        choice.whySimplices = "a part could not be made simple: " + describe(part.defect, N);
   }
 }
 

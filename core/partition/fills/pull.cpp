@@ -1,4 +1,4 @@
-#include "parts/pull.h"
+#include "partition/fills/pull.h"
 
 #include <limits>
 #include <map>
@@ -46,7 +46,7 @@ std::vector<bool> closureOf(const Parts<3> &parts, const std::vector<std::vector
   std::vector<bool> inside(parts.parts.size(), false);
   std::vector<Index> queue;
   for (Index p = 0; p < toIndex(parts.parts.size()); ++p)
-    if (!parts.parts[at(p)].simple) {
+    if (!parts.parts[at(p)].isSimple()) {
       inside[at(p)] = true;
       queue.push_back(p);
     }

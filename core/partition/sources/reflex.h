@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "parts/cut_options.h"
+#include "partition/cut_options.h"
 #include "parts/features.h"
 
 namespace dualblock {

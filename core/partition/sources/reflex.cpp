@@ -1,4 +1,4 @@
-#include "parts/reflex_cuts.h"
+#include "partition/sources/reflex.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,10 +7,10 @@
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
 #include "partition/heuristics.h"
+#include "partition/sources/sectors.h"
+#include "partition/sources/sheets.h"
 #include "parts/place.h"
 #include "parts/ridge.h"
-#include "parts/sectors.h"
-#include "parts/sheets.h"
 #include "reference/cut.h"
 #include "reference/patches.h"
 #include "reference/refine.h"

@@ -1,7 +1,7 @@
 // Cuts along creases of bent sides.
 #include "base/sort.h"
 #include "partition/heuristics.h"
-#include "parts/bent_proposals.h"
+#include "partition/sources.h"
 
 namespace dualblock {
 namespace {
@@ -35,9 +35,7 @@ std::vector<std::array<Index, 2>> reflexRidges(const PartView &v, Index side) {
   return ridges;
 }
 
-} // namespace
-
-std::optional<Proposal> throughCrease(const PartView &v, Index side) {
+std::optional<Cut> throughCrease(const PartView &v, Index side) {
   const auto ridges = reflexRidges(v, side);
   Curve<3> curve{};
   curve.ridges = ridges;
@@ -50,7 +48,17 @@ std::optional<Proposal> throughCrease(const PartView &v, Index side) {
     if (std::abs(glm::dot(v.node(node) - v.node(longest.nodes[0]), axis.direction)) >
         kFlatCrease * v.mesh.size)
       return std::nullopt;
-  return Proposal{planeSurface(v.node(longest.nodes[0]), axis.direction), std::move(longest.nodes)};
+  return Cut{planeSurface(v.node(longest.nodes[0]), axis.direction), std::move(longest.nodes)};
+}
+
+} // namespace
+
+std::vector<Cut> throughCreases(const PartView &v) {
+  std::vector<Cut> list;
+  for (const Index *side = v.firstSide(); side != v.lastSide(); ++side)
+    if (v.isGiven(*side) && v.isBent(*side))
+      if (std::optional<Cut> cut = throughCrease(v, *side)) list.push_back(std::move(*cut));
+  return list;
 }
 
 } // namespace dualblock
