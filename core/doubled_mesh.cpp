@@ -104,6 +104,7 @@ template <int N> bool doubleStraying(PipelineResult<N> &r, const PipelineOptions
     mesh.blocks = std::move(doubled.value().blocks);
     const auto &inserted = doubled.value().inserted;
     mesh.inserted.insert(mesh.inserted.end(), inserted.begin(), inserted.end());
+    mesh.doubled = toIndex(mesh.inserted.size());
     const Freedom<N> freedom(r.sideMesh(), r.features, r.featureNodes, mesh.blocks);
     putOnSides(freedom, mesh.blocks);
     if (options.mode.relax) relax(freedom, mesh.blocks, {});

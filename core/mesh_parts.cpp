@@ -4,105 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "base/sort.h"
+#include "base/deadline.h"
+#include "blame.h"
 #include "doubled_mesh.h"
-#include "partition/halve_parts.h"
 #include "partition/heuristics.h"
 #include "remesh/tet_mesh.h"
 
 namespace dualblock {
 namespace {
-
-/// The components of what the certificate's failures name, of those that can still change; all of them where
-/// a failure names nothing that belongs to one.
-template <int N>
-[[gnu::noinline]] std::vector<bool> blamed(const PipelineResult<N> &r,
-                                           const std::vector<PartSource> &source) {
-  std::vector<bool> blame(source.size(), false);
-  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
-  std::vector<Index> ofFacet(r.domain.domain.facets.size(), kNone);
-  for (const Side &side : r.parts.sides)
-    if (const Index surface = FaceTag::surface(side.tag); at(surface) < ofFacet.size())
-      ofFacet[at(surface)] = component[at(side.part)];
-  bool clear = true;
-  for (const CertificateFailure &failure : r.certificate.failures) {
-    bool found = false;
-    for (const EntityRef &e : failure.entities) {
-      Index c = kNone;
-      const Index k = static_cast<Index>(e.index);
-      if (e.kind == "block") c = component[at(r.primal.blocks[at(k)].part)];
-      if (e.kind == "node" || e.kind == "cell")
-        c = component[at(r.dual.pieces[at(r.primal.nodePiece[at(k)])].part)];
-      if (e.kind == "simplex") c = r.mesh.component[at(k)];
-      if (e.kind == "facet") c = ofFacet[at(k)];
-      if (c == kNone || source[at(c)] == PartSource::simplices) continue;
-      blame[at(c)] = true;
-      found = true;
-    }
-    clear &= found;
-  }
-  if (!clear) blame.assign(blame.size(), true);
-  return blame;
-}
-
-/// Whose parts are cut on.
-enum class Blame : std::uint8_t {
-  wide,  // all that the certificate names, what is around nodes that it names, and blocks that are further
-         // from a side than is aimed at: mostly one round of cuts is enough then
-  narrow // of blocks that are inverted; of others only where there are none: each cut may spoil its
-         // neighbours
-};
-
-/// Parts at fault, in components that are cut.
-std::vector<Index> partsAtFault(const PipelineResult<3> &r, const std::vector<PartSource> &source,
-                                Blame blame) {
-  std::vector<Index> which;
-  const auto addPart = [&](const EntityRef &e) {
-    if (e.kind == "block") which.push_back(r.primal.blocks[static_cast<std::size_t>(e.index)].part);
-  };
-  const auto isWanted = [&] { return blame == Blame::wide || which.empty(); };
-  if (blame == Blame::narrow)
-    for (std::size_t b = 0; b < r.quality.size(); ++b)
-      if (!(r.quality[b] > 0)) which.push_back(r.primal.blocks[b].part);
-  if (isWanted()) std::for_each(r.certificate.culprits.begin(), r.certificate.culprits.end(), addPart);
-  if (isWanted()) {
-    std::vector<bool> isAtFault(r.primal.positions.size(), false); // nodes
-    for (const EntityRef &e : r.certificate.culprits)
-      if (e.kind == "node") isAtFault[static_cast<std::size_t>(e.index)] = true;
-    for (const Block<3> &block : r.primal.blocks)
-      if (std::any_of(block.nodes.begin(), block.nodes.end(), [&](Index n) { return isAtFault[at(n)]; }))
-        which.push_back(block.part);
-  }
-  if (isWanted())
-    std::for_each(r.certificate.fidelity.coarse.begin(), r.certificate.fidelity.coarse.end(), addPart);
-  sortItems(which);
-  which.erase(std::unique(which.begin(), which.end()), which.end());
-  const std::vector<Index> component = componentOfParts(r.mesh, r.parts);
-  which.erase(std::remove_if(which.begin(), which.end(),
-                             [&](Index part) { return source[at(component[at(part)])] != PartSource::cuts; }),
-              which.end());
-  return which;
-}
-
-/// Halves the parts whose blocks strayed from their bent sides, or cross others, or are inverted. Returns
-/// whether that was possible, and is still cheap.
-template <int N>
-[[gnu::noinline]] bool cutFiner(PipelineResult<N> &r, const std::vector<PartSource> &source, Blame blame,
-                                double tolerance, int &triesLeft) {
-  if constexpr (N == 3) {
-    if (r.bentSides == 0 ||
-        r.mesh.simplexCount() > (blame == Blame::wide ? kCheapToHalve : kCheapToHalveFewer))
-      return false;
-    const std::vector<Index> which = partsAtFault(r, source, blame);
-    const BentCutOptions options{
-        {tolerance, toIndex(r.domain.domain.facets.size())}, axesOf(r.features, r.featureNodes), {}};
-    const Index cuts = halveParts(r.mesh, r.parts, which, options, triesLeft);
-    r.bentCuts += cuts;
-    r.cuts += cuts;
-    return cuts > 0;
-  }
-  return false;
-}
 
 /// Whether a valid mesh of parts that were cut on may take the place of the one before: not at the price of a
 /// poor shape.
@@ -139,6 +48,22 @@ public:
   bool run(bool mayFallBack, Index most = 0) {
     mayFallBack_ = mayFallBack;
     most_ = most;
+    try {
+      if (!findMesh()) return false;
+    } catch (const OutOfTime &) {
+      if (!coarser_) throw;
+      takeCoarser();
+      r.isCutShort = true;
+    }
+    if (decomposition_.pulled)
+      for (std::size_t c = 0; c < source_.size(); ++c)
+        if (source_[c] == PartSource::pulled) r.pulledParts += decomposition_.pulled->simplified[c];
+    return true;
+  }
+
+private:
+  /// Attempts until a mesh serves, or nothing is left to try. False if there is none and may be none.
+  bool findMesh() {
     for (int attempt = 0;; ++attempt, r.certificate = {}) {
       r.finalMesh.reset();
       if (!mixSources()) return false;
@@ -154,30 +79,30 @@ public:
         continue;
       }
       if (coarser_) {
-        std::swap(r.timings, coarser_->timings);
-        r = std::move(*coarser_);
+        takeCoarser();
         break;
       }
       if (halveFewer() || takeEarlyCuts()) continue;
       if (takeDoubled()) break;
       if (r.remeshedComponents > 0) { // finer ones may be nearer to bent sides; the coarsest always work
         r.isRemeshRefused = ++goodAttempts_ == kGoodAttempts;
-        if (!r.isRemeshRefused || mayFallBack) continue;
+        if (!r.isRemeshRefused || mayFallBack_) continue;
       }
-      if (!mayFallBack) return false;
+      if (!mayFallBack_) return false;
       if (r.fallbackComponents == r.mesh.componentCount) {
         if (!built) r.certificate.fail(Check::cells, "repairs of the reference mesh did not end");
         break;
       }
       fallDown(built, attempt);
     }
-    if (decomposition_.pulled)
-      for (std::size_t c = 0; c < source_.size(); ++c)
-        if (source_[c] == PartSource::pulled) r.pulledParts += decomposition_.pulled->simplified[c];
     return true;
   }
 
-private:
+  void takeCoarser() {
+    std::swap(r.timings, coarser_->timings);
+    r = std::move(*coarser_);
+  }
+
   Index count(PartSource wanted) const {
     return toIndex(static_cast<std::size_t>(std::count(source_.begin(), source_.end(), wanted)));
   }

@@ -188,19 +188,24 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const PipelineResult<N> common = mayPropose ? r : PipelineResult<N>{};
   r.mesh = std::move(cut);
   if (!meshParts(r, std::move(choice), true, options, fills, clock)) return *coarseError;
-  const bool falls = r.fallbackComponents + r.pulledComponents > 0;
-  if (mayPropose && !wantsShape) {
-    if (r.bentSides > 0 && falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
-    const double sound = std::min(kPoorShape, kNearBound * r.angleBound);
-    const bool isPoor = options.mode.relax && figuresOf(r).minScaledJacobian < sound;
-    if (isPoor && (N == 2 || !falls)) propose(Proposals::all);
+  try {
+    const bool falls = r.fallbackComponents + r.pulledComponents > 0;
+    if (mayPropose && !wantsShape) {
+      if (r.bentSides > 0 && falls && !hasLastPolicy(r.cutTrials)) propose(Proposals::last);
+      const double sound = std::min(kPoorShape, kNearBound * r.angleBound);
+      const bool isPoor = options.mode.relax && figuresOf(r).minScaledJacobian < sound;
+      if (isPoor && (N == 2 || !falls)) propose(Proposals::all);
+    }
+    takeBestShape(r, common, std::move(proposals), options, fills, clock);
+    if constexpr (N == 3)
+      if (options.mode.relax && r.certificate.valid &&
+          worstShape(r) < std::min(kPoorShape, kNearBound * r.angleBound) && r.remeshedComponents == 0 &&
+          !r.isRemeshRefused)
+        takeGoodSimplices(r, options, fills, clock);
+  } catch (const OutOfTime &) { // what there is, if anything
+    if (!r.certificate.valid) throw;
+    r.isCutShort = true;
   }
-  takeBestShape(r, common, std::move(proposals), options, fills, clock);
-  if constexpr (N == 3)
-    if (options.mode.relax && r.certificate.valid &&
-        worstShape(r) < std::min(kPoorShape, kNearBound * r.angleBound) && r.remeshedComponents == 0 &&
-        !r.isRemeshRefused)
-      takeGoodSimplices(r, options, fills, clock);
   r.features.partOfSimplex = {}; // of the uncut mesh, which is no more
   r.features.nodeSides = {};
   r.features.sideFaces = {};
@@ -216,6 +221,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
     if (r.finalMesh) {
       const auto &doubled = r.finalMesh->inserted;
       made.value().inserted.insert(made.value().inserted.begin(), doubled.begin(), doubled.end());
+      made.value().doubled = r.finalMesh->doubled;
     }
     r.finalMesh = std::move(made.value());
     r.certificate = r.finalMesh->certificate; // matching and cells have passed, on the layered mesh

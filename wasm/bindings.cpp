@@ -97,6 +97,7 @@ template <int N> val partsToJs(const PipelineResult<N> &r) {
   p.set("fallbackComponents", r.fallbackComponents);
   p.set("remeshedComponents", r.remeshedComponents);
   p.set("fallbackReason", r.fallbackReason);
+  p.set("isCutShort", r.isCutShort);
   p.set("alternatives", toJs<double>(std::vector<double>(r.alternatives.begin(), r.alternatives.end())));
   val trials = val::object();
   trials.set("largestAngle",
@@ -177,6 +178,7 @@ template <int N> val finalMeshToJs(const PipelineResult<N> &r) {
   m.set("quality", toJs<double>(r.finalMesh->quality));
   m.set("extracted", toJs<Index>(r.finalMesh->extracted));
   m.set("inserted", toJs<Index>(r.finalMesh->inserted));
+  m.set("doubled", r.finalMesh->doubled);
   const BoundaryFaces<N> boundary = boundaryOf(blocks, patchOfSurface(r.mesh));
   m.set("boundaryFaces", toJs<Index>(boundary.faces));
   m.set("boundaryFacet", toJs<Index>(boundary.facet));

@@ -1,5 +1,6 @@
 // The report of a run (format "dualblock-report/1"): what every script that calls dualblock depends on.
 import { version } from '../package.json';
+import { changesText } from './changes.ts';
 import type { RefinedMesh } from './refine.ts';
 import type { Certificate, CoreError, RunResult } from './result.ts';
 import type { Settings } from './settings.ts';
@@ -58,6 +59,7 @@ export function makeReport(
       fallbackComponents: parts.fallbackComponents,
       remeshedComponents: parts.remeshedComponents,
       fallbackReason: parts.fallbackReason,
+      cutShort: parts.isCutShort,
       alternatives: {
         cuts: alternative(parts.alternatives[0]),
         confined: alternative(parts.alternatives[1]),
@@ -93,7 +95,8 @@ export function makeReport(
     mesh: {
       mode: settings.mode,
       extracted: Array.from(mesh?.extracted ?? []),
-      inserted: (mesh?.inserted.length ?? 0) / 2,
+      inserted: (mesh?.inserted.length ?? 0) / 2 - (mesh?.doubled ?? 0),
+      doubled: mesh?.doubled ?? 0,
       nodes: (mesh ?? primal).positions.length / result.dimension,
       blocks: (mesh ?? primal).quality.length,
     },
@@ -239,11 +242,12 @@ export function describe(report: Report): string {
   const handedOut = report.refined?.certificate ?? certificate;
   return [
     `${input.name || 'domain'}: ${primal.blocks} blocks (${kind}), ${primal.nodes} nodes, ${primal.edges} edges`,
-    mesh.extracted.length + mesh.inserted > 0
-      ? `  ${mesh.extracted.length} D̄-surface(s) extracted, ${mesh.inserted} inserted: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
+    mesh.extracted.length + mesh.inserted + mesh.doubled > 0
+      ? `  ${changesText(mesh)}: ${mesh.blocks} blocks, ${mesh.nodes} nodes`
       : '',
     `  from ${reference.filled} reference simplices, ${reference.cuts} cut(s), ${split}`,
     describeObjective(parts.objective),
+    parts.cutShort ? '  the time limit came before all was tried: the best mesh until then' : '',
     quality
       ? `  scaled Jacobian: minimum ${shapeText(quality.min, report.quality.angleBound)}, mean ${quality.mean.toFixed(3)}`
       : '',

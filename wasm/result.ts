@@ -115,6 +115,8 @@ export interface RunResult {
     remeshedComponents: number;
     /** Why simplices became parts, in all or in some parts; empty where none did. */
     fallbackReason: string;
+    /** Whether the time limit came before all that might be better was tried. */
+    isCutShort: boolean;
     /**
      * Blocks that cuts alone, the confined fallback and all reference simplices would give, as far as they were counted:
      * infinity where they give no valid mesh, below 0 where nobody asked.
@@ -204,6 +206,8 @@ export interface RunResult {
     extracted: Int32Array;
     /** Inserted D̄-surfaces, each with the one whose layer it was split from. */
     inserted: Int32Array;
+    /** How many of the inserted ones, the first, double others so that blocks follow bent sides. */
+    doubled: number;
     boundaryFaces: Int32Array;
     boundaryFacet: Int32Array;
   } | null;

@@ -29,6 +29,7 @@ template <int N> struct FinalMesh {
   BlockMesh<N> blocks;
   std::vector<Index> extracted;               // D-bar-surfaces, in the order that they went
   std::vector<std::array<Index, 2>> inserted; // D-bar-surface, and the one that it was split from
+  Index doubled = 0; // of these, the first: so that blocks follow bent sides
   std::vector<double> quality;                // per block: scaled Jacobian
   Certificate certificate;
 };

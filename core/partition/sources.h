@@ -35,8 +35,8 @@ std::vector<Cut> throughKinks(const PartView &part);
 /// Half way between two corners where the same sides meet.
 std::vector<Cut> betweenCorners(const PartView &part);
 
-/// Through corners where more than three sides meet, and through places where the side behind one of the
-/// part's has a corner: along what already meets there.
+/// Through a corner where more than three sides meet, or a place where the side behind one of the part's has
+/// a corner: along what already meets there. The first by its place.
 std::vector<Cut> throughJoints(const PartView &part);
 
 /// Square to curves that turn further than the two edges that stand for them may, the furthest first.

@@ -1,6 +1,9 @@
 // A time limit ends a run with an error of its own, wherever it is, and leaves nothing behind.
+#include <chrono>
+
 #include <gtest/gtest.h>
 
+#include "support/bent_domains.h"
 #include "support/random_domains.h"
 
 namespace dualblock::test {
@@ -23,6 +26,27 @@ TEST(Deadline, DoesNotOutliveItsRun) {
   EXPECT_TRUE(run(loadExample<3>("protrusion")).certificate.valid);
   options.timeLimit = 600;
   EXPECT_TRUE(run(loadExample<3>("protrusion"), options).certificate.valid);
+}
+
+// What is valid, but poor or far from a side, is handed out where the limit comes while better is sought.
+TEST(Deadline, HandsOutWhatThereIs) {
+  const Domain<3> domain = bentSolid(1, 1);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(run(domain).isCutShort);
+  const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  int cutShort = 0;
+  for (double share = 0.1; share < 1; share += 0.05) { // the machine may be busier now than before
+    PipelineOptions options;
+    options.timeLimit = share * whole;
+    const auto result = runPipeline<3>(domain, options);
+    if (!result.ok()) {
+      EXPECT_EQ(result.error().code, ErrorCode::timeLimit);
+      continue;
+    }
+    EXPECT_TRUE(result.value().certificate.valid) << failuresOf(result.value().certificate);
+    cutShort += result.value().isCutShort;
+  }
+  EXPECT_GT(cutShort, 0);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/sort.h"
 #include "partition/heuristics.h"
 #include "partition/sources.h"
+#include "parts/place.h"
 
 namespace dualblock {
 namespace {
@@ -70,16 +71,19 @@ std::vector<Vec<3>> normalsAt(const PartView &v, Index node) {
 } // namespace
 
 std::vector<Cut> throughJoints(const PartView &v) {
-  std::vector<Index> nodes;
+  Index joint = kNone; // one at a time: what mends it may mend others
+  const auto offer = [&](Index node) {
+    if (joint == kNone || placeOf(v.mesh, node) < placeOf(v.mesh, joint)) joint = node;
+  };
   for (const Corner *corner : v.corners)
-    if (corner->sides.size() > 3) nodes.push_back(corner->node);
-  if (v.parts.parts[at(v.part)].defect == Defect::unlikeSides)
+    if (corner->sides.size() > 3) offer(corner->node);
+  if (joint == kNone && v.parts.parts[at(v.part)].defect == Defect::unlikeSides)
     for (const UnlikeCorner &corner : unlikeCorners(v.parts))
-      if (corner.part == v.part) nodes.push_back(corner.node);
+      if (corner.part == v.part) offer(corner.node);
   std::vector<Cut> list;
-  for (const Index node : nodes)
-    for (const Vec<3> &normal : normalsAt(v, node))
-      list.push_back({planeSurface(v.node(node), normal), {node}});
+  if (joint == kNone) return list;
+  for (const Vec<3> &normal : normalsAt(v, joint))
+    list.push_back({planeSurface(v.node(joint), normal), {joint}});
   return list;
 }
 

@@ -175,7 +175,9 @@ export function explain(
       const blockCount = (mesh ?? primal).quality.length;
       const lead = mesh?.extracted.length
         ? 'D̄-surfaces have been extracted, each with the layer of blocks that it crosses, while every feature was kept. '
-        : '';
+        : mesh?.doubled
+          ? 'D̄-surfaces have been doubled where blocks were too far from bent sides: each layer of blocks that one crosses is two. '
+          : '';
       return {
         text: `${lead}Every block is divided along its edges, and filled by transfinite interpolation. All edges that one ${surfaceName} crosses get the same number of intervals, so that neighbours fit; on bent sides nodes lie on the domain’s own facets.`,
         section: 'Beyond the paper; section 5 leaves it to a mesher of blocks',
@@ -183,7 +185,9 @@ export function explain(
           ...(mesh
             ? ([
                 ['Blocks', number(blockCount)],
-                ['D̄-surfaces extracted', number(mesh.extracted.length)],
+                mesh.doubled
+                  ? ['D̄-surfaces doubled', number(mesh.doubled)]
+                  : ['D̄-surfaces extracted', number(mesh.extracted.length)],
               ] as [string, string][])
             : []),
           ['Elements', refinement ? number(elementCount(result, refinement)) : '–'],

@@ -1,5 +1,6 @@
 // The mesh that is handed out: which D̄-surfaces it keeps, and how finely its blocks are divided.
 import { useState } from 'preact/hooks';
+import { changesText } from '../../../wasm/changes.ts';
 import type { Mode, Objective } from '../../../wasm/settings.ts';
 import type { App } from '../app.ts';
 import { elementCount, layeredSurface, refinementOf, surfaceLayers } from '../model/final-mesh.ts';
@@ -71,7 +72,7 @@ function Blocks() {
       />
       <p class="hint">
         {mesh
-          ? `${mesh.extracted.length} D̄-surface(s) extracted, ${mesh.inserted.length / 2} inserted, ${mesh.quality.length} block(s): step 9 shows them, and files hold them.`
+          ? `${changesText({ ...mesh, inserted: mesh.inserted.length / 2 - mesh.doubled })}, ${mesh.quality.length} block(s): step 9 shows them, and files hold them.`
           : 'The coarsest mesh is made by extracting D̄-surfaces while every feature is kept.'}
       </p>
       {extract.length > 0 && (
