@@ -48,13 +48,6 @@ std::vector<bool> strayingSurfaces(const ReferenceMesh<N> &mesh, const BlockMesh
   return wanted;
 }
 
-template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks) {
-  std::vector<double> quality;
-  for (const auto &block : blocks.blocks)
-    quality.push_back(scaledJacobian<N>(cornersOf<N>(block, blocks.positions)));
-  return quality;
-}
-
 /// Nodes that are off what they lie on, onto it, as far as the blocks around them stay valid; those that
 /// cannot go yet are tried again once their neighbours have moved.
 template <int N> void putOnSides(const Freedom<N> &freedom, BlockMesh<N> &mesh) {

@@ -91,15 +91,15 @@ template <int N> struct PipelineResult {
   std::vector<Vec<N>> history; // of the primal's nodes: all as placed, then after every round of relaxation
   Certificate certificate;     // of what is handed out: the final mesh, where there is one
   std::optional<FinalMesh<N>> finalMesh; // in place of the primal, where D-bar-surfaces have been extracted
-  bool isCutShort = false; // the time limit came before all that might be better was tried
+  bool isCutShort = false;               // the time limit came before all that might be better was tried
   bool onlyMatching = false; // the domain gives its own contributions: they are checked, no mesh is made
   std::vector<StageTime> timings;
 
   const ReferenceMesh<N> &sideMesh() const { return given ? *given : mesh; }
 };
 
-/// Runs all stages. An Error is bad input, a failed fill or a time limit before there was any valid mesh; a result whose certificate is not
-/// valid is no error here, but must not be handed out as a mesh.
+/// Runs all stages. An Error is bad input, a failed fill or a time limit before there was any valid mesh; a
+/// result whose certificate is not valid is no error here, but must not be handed out as a mesh.
 template <int N>
 Result<PipelineResult<N>> runPipeline(const Domain<N> &domain, const PipelineOptions &options,
                                       const Progress &progress = {});

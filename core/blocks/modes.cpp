@@ -21,13 +21,6 @@ double errorOf(const Certificate &certificate) {
                   certificate.fidelity.strayed * std::abs(certificate.domainMeasure));
 }
 
-template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks) {
-  std::vector<double> quality;
-  for (const auto &block : blocks.blocks)
-    quality.push_back(scaledJacobian<N>(cornersOf<N>(block, blocks.positions)));
-  return quality;
-}
-
 Error refusal(Index surface, const std::string &why) {
   return {ErrorCode::badOption,
           "D\u0304-surface " + std::to_string(surface) + " cannot be extracted: " + why +
@@ -43,6 +36,13 @@ Error noInsertion(Index facet, const std::string &why) {
 }
 
 } // namespace
+
+template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks) {
+  std::vector<double> quality;
+  for (const auto &block : blocks.blocks)
+    quality.push_back(scaledJacobian<N>(cornersOf<N>(block, blocks.positions)));
+  return quality;
+}
 
 template <int N>
 Result<FinalMesh<N>> makeFinalMesh(const BlockInput<N> &layered, const Certificate &certificate,
@@ -142,6 +142,8 @@ template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const Certifi
                                             const std::vector<Index> &);
 template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &, const ModeOptions &,
                                             const std::vector<Index> &);
+template std::vector<double> qualityOf(const BlockMesh<2> &);
+template std::vector<double> qualityOf(const BlockMesh<3> &);
 template BoundaryFaces<2> boundaryOf(const BlockMesh<2> &, const std::vector<Index> &);
 template BoundaryFaces<3> boundaryOf(const BlockMesh<3> &, const std::vector<Index> &);
 

@@ -29,7 +29,7 @@ template <int N> struct FinalMesh {
   BlockMesh<N> blocks;
   std::vector<Index> extracted;               // D-bar-surfaces, in the order that they went
   std::vector<std::array<Index, 2>> inserted; // D-bar-surface, and the one that it was split from
-  Index doubled = 0; // of these, the first: so that blocks follow bent sides
+  Index doubled = 0;                          // of these, the first: so that blocks follow bent sides
   std::vector<double> quality;                // per block: scaled Jacobian
   Certificate certificate;
 };
@@ -45,6 +45,12 @@ extern template Result<FinalMesh<2>> makeFinalMesh(const BlockInput<2> &, const 
                                                    const ModeOptions &, const std::vector<Index> &);
 extern template Result<FinalMesh<3>> makeFinalMesh(const BlockInput<3> &, const Certificate &,
                                                    const ModeOptions &, const std::vector<Index> &);
+
+/// The scaled Jacobian of every block.
+template <int N> std::vector<double> qualityOf(const BlockMesh<N> &blocks);
+
+extern template std::vector<double> qualityOf(const BlockMesh<2> &);
+extern template std::vector<double> qualityOf(const BlockMesh<3> &);
 
 /// The faces of a block mesh that belong to one block only, and the facets that they lie on.
 template <int N>

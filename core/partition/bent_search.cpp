@@ -85,9 +85,10 @@ std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> 
   return simple;
 }
 
-BentSearch::BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, CutReflex cutReflex)
+BentSearch::BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, bool weighsCuts,
+                       CutReflex cutReflex)
     : isSimple(simpleComponents(mesh, parts)), mesh_(mesh), parts_(parts), options_(std::move(options)),
-      cutReflex_(std::move(cutReflex)), partsWithoutReflex_(parts.parts.size()) {}
+      weighsCuts_(weighsCuts), cutReflex_(std::move(cutReflex)), partsWithoutReflex_(parts.parts.size()) {}
 
 CutReason BentSearch::step(const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh_, parts_);
@@ -112,7 +113,8 @@ bool BentSearch::cutBy(std::span<const Source> sources, PartView &view) {
   return std::any_of(sources.begin(), sources.end(), [&](Source source) { return trySource(source, view); });
 }
 
-/// The first of a source's cuts that spoils no joint, or that which leaves least wrong.
+/// The first of a source's cuts; where they are weighed, that spoils no joint, or that which leaves least
+/// wrong.
 bool BentSearch::trySource(Source source, const PartView &view) {
   const Index joints = costOf(parts_).joints;
   std::optional<ReferenceMesh<3>> best;
@@ -127,7 +129,10 @@ bool BentSearch::trySource(Source source, const PartView &view) {
       continue;
     }
     const Cost cost = costOf(now);
-    if (cost.joints <= joints && !best) return take(std::move(now));
+    if (!weighsCuts_ || (cost.joints <= joints && !best)) {
+      hasSpoilt = hasSpoilt || cost.joints > joints;
+      return take(std::move(now));
+    }
     if (!best || cost.sum() < least) {
       least = cost.sum();
       best = std::move(mesh_);

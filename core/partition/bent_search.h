@@ -13,16 +13,17 @@ namespace dualblock {
 /// What a cut is made for.
 enum class CutReason : std::uint8_t { none, needed, shape };
 
-/// One cut after another: all parts are simple before any is bettered. A cut that spoils how sides join gives
-/// way to another that answers the same finding and spoils less; where joints are wrong in the end, whole
-/// rows of cuts are tried, best first.
+/// One cut after another: all parts are simple before any is bettered. Where cuts are weighed, one that
+/// spoils how sides join gives way to another that answers the same finding and spoils less. Where joints are
+/// wrong in the end, whole rows of cuts are tried, best first.
 class BentSearch {
 public:
   /// Cuts reflex curves that earlier cuts have made, of the mesh's parts; returns whether there were any.
   using CutReflex = std::function<bool(ReferenceMesh<3> &, const Parts<3> &)>;
 
   /// `parts`: of the mesh, before and after every step.
-  BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, CutReflex cutReflex);
+  BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, bool weighsCuts,
+             CutReflex cutReflex);
 
   /// Cuts the first part for which a source has a cut. Components that gave up are passed over. Where all
   /// parts of a component are simple, further cuts only better their shape: one that leaves one that is not
@@ -34,6 +35,8 @@ public:
   Parts<3> partsBefore;
   /// Per component, whether all parts are simple now.
   std::vector<bool> isSimple;
+  /// Whether a cut has spoilt a joint.
+  bool hasSpoilt = false;
 
 private:
   bool cutBy(std::span<const Source> sources, PartView &view);
@@ -45,6 +48,7 @@ private:
   ReferenceMesh<3> &mesh_;
   Parts<3> &parts_;
   BentCutOptions options_;
+  bool weighsCuts_;
   CutReflex cutReflex_;
   std::vector<Plane<3>> refused_;
   std::size_t partsWithoutReflex_ = 0; // how many there were when no reflex curve was left

@@ -100,17 +100,16 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   if (mesh.simplexCount() > options.mostSimplices) budget.update(mesh);
 }
 
-/// Rule 3.
-void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
-                  Budget<3> &budget, Decomposition<3> &result) {
-  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
-    return;
+/// Rule 3. Returns whether a cut has spoilt a joint.
+bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
+                  bool weighsCuts, Budget<3> &budget, Decomposition<3> &result) {
   const auto cutReflex = [&](ReferenceMesh<3> &cut, const Parts<3> &parts) {
     const Index before = result.reflexCuts;
     cutReflexCurves(cut, parts, options, budget, result.reflexCuts);
     return result.reflexCuts > before;
   };
-  BentSearch search(mesh, result.parts, {options, axesOf(uncut, mesh.nodes), options.policies}, cutReflex);
+  BentSearch search(mesh, result.parts, {options, axesOf(uncut, mesh.nodes), options.policies}, weighsCuts,
+                    cutReflex);
   std::vector<bool> isDone = budget.gaveUp;
   for (int round = 0; round < kBentRounds; ++round) {
     const bool areSimple =
@@ -126,6 +125,27 @@ void cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   if (result.early &&
       result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
     takeEarly(mesh, result);
+  return search.hasSpoilt;
+}
+
+/// The same by whichever way leaves less wrong, or else fewer blocks: each first cut that there is, or, where
+/// one of these spoils how sides join, cuts that are weighed.
+void cutBentPartsBest(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
+                      Budget<3> &budget, Decomposition<3> &result) {
+  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
+    return;
+  ReferenceMesh<3> weighedMesh = mesh;
+  Budget<3> weighedBudget = budget;
+  Decomposition<3> weighed = result;
+  if (!cutBentParts(mesh, uncut, options, false, budget, result)) return;
+  cutBentParts(weighedMesh, uncut, options, true, weighedBudget, weighed);
+  const auto score = [](const Decomposition<3> &d) {
+    return std::pair(costOf(d.parts).sum(), d.parts.corners.size());
+  };
+  if (score(weighed) >= score(result)) return;
+  mesh = std::move(weighedMesh);
+  budget = std::move(weighedBudget);
+  result = std::move(weighed);
 }
 
 } // namespace
@@ -154,7 +174,7 @@ Decomposition<N> decompose(ReferenceMesh<N> &mesh, const Parts<N> &uncut, Decomp
     result.parts = buildParts(mesh, partOptions);
   }
   if constexpr (N == 3) {
-    cutBentParts(mesh, uncut, options, budget, result);
+    cutBentPartsBest(mesh, uncut, options, budget, result);
     const bool needed = std::any_of(result.parts.corners.begin(), result.parts.corners.end(),
                                     [](const Corner &c) { return c.sides.size() > 3; });
     if (needed) result.pulled = pullParts(mesh, result.parts, options.apex);

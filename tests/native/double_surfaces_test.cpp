@@ -23,8 +23,8 @@ template <int N> Doubling<N> doubled(const PipelineResult<N> &r, const std::vect
 }
 
 template <int N> Certificate certified(const PipelineResult<N> &r, const BlockMesh<N> &blocks) {
-  return certifyBlocks<N>({r.domain.domain, r.features, r.featureNodes, r.mesh, blocks, r.domain.deviation,
-                           r.given.get()});
+  return certifyBlocks<N>(
+      {r.domain.domain, r.features, r.featureNodes, r.mesh, blocks, r.domain.deviation, r.given.get()});
 }
 
 TEST(DoubleSurfaces, AllOfABoxMakeAFinerGrid) {

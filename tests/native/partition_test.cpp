@@ -73,8 +73,9 @@ std::size_t offered(Source source, const Domain<3> &domain) {
 
 TEST(Sources, EachAnswersItsFindingOnly) {
   const Domain<3> cube = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0, 1);
-  for (const Source source : std::array<Source, 11>{throughCreases, acrossMiddle, throughVoids, betweenCurves, alongAxes, throughKinks,
-                              betweenCorners, throughJoints, acrossCurves, acrossTurns, halving})
+  for (const Source source : std::array<Source, 11>{throughCreases, acrossMiddle, throughVoids, betweenCurves,
+                                                    alongAxes, throughKinks, betweenCorners, throughJoints,
+                                                    acrossCurves, acrossTurns, halving})
     EXPECT_EQ(offered(source, cube), 0U);
   EXPECT_EQ(offered(acrossMiddle, ball(16)), 1U); // no curve
   EXPECT_EQ(offered(alongAxes, ball(16)), 0U);
@@ -90,7 +91,7 @@ TEST(BentSearch, EndsWithSimplePartsOfRoundSolids) {
     Parts<3> parts = buildParts(mesh, PartOptions{});
     BentSearch search(mesh, parts,
                       {{1e-6 * mesh.size, toIndex(domain.facets.size())}, axesOf(parts, mesh.nodes), {}},
-                      [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
+                      true, [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
     int cuts = 0;
     while (search.step({false}) != CutReason::none && cuts < 40) ++cuts;
     EXPECT_GT(cuts, 0);
@@ -106,7 +107,7 @@ TEST(BentSearch, LeavesComponentsThatGaveUp) {
   const Domain<3> domain = ball(16);
   ReferenceMesh<3> mesh = fill(domain);
   Parts<3> parts = buildParts(mesh, PartOptions{});
-  BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}},
+  BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}}, false,
                     [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
   EXPECT_EQ(search.step({true}), CutReason::none);
   EXPECT_EQ(parts.parts.size(), 1U);
@@ -116,7 +117,7 @@ TEST(BentSearch, MendsJointsByRowsOfCuts) {
   const Domain<3> domain = loadExample<3>("double_pyramid");
   ReferenceMesh<3> mesh = fill(domain);
   Parts<3> parts = buildParts(mesh, PartOptions{});
-  BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}},
+  BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}}, false,
                     [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
   EXPECT_EQ(search.step({false}), CutReason::needed);
   EXPECT_EQ(costOf(parts).sum(), 0);

@@ -85,7 +85,9 @@ export function explain(
             ? `Fallback: every ${simplexName} is a part, because ${parts.fallbackReason}.`
             : parts.pulledParts > 0
               ? `${number(parts.pulledParts)} part(s) became ${simplexName}s, because ${parts.fallbackReason}.`
-              : 'Other simplices that fill the same domain lead to the same blocks.',
+              : parts.isCutShort
+                ? 'The time limit came before all that might be better was tried.'
+                : 'Other simplices that fill the same domain lead to the same blocks.',
       };
     case 3:
       return {
