@@ -154,12 +154,14 @@ bool BentSearch::take(Parts<3> parts) {
 bool BentSearch::cutReflexAgain() {
   if (parts_.parts.size() == partsWithoutReflex_) return false;
   partsWithoutReflex_ = parts_.parts.size();
-  if (!cutReflex_(mesh_, parts_)) return false;
+  const Index cuts = cutReflex_(mesh_, parts_);
+  if (cuts == 0) return false;
   Parts<3> now = buildParts(mesh_, PartOptions{});
   if (isWorse(isSimple, simpleComponents(mesh_, now)) || costOf(now).sum() > costOf(parts_).sum()) {
     mesh_ = meshBefore;
     return false;
   }
+  reflexCuts += cuts;
   return take(std::move(now));
 }
 

@@ -18,8 +18,8 @@ enum class CutReason : std::uint8_t { none, needed, shape };
 /// wrong in the end, whole rows of cuts are tried, best first.
 class BentSearch {
 public:
-  /// Cuts reflex curves that earlier cuts have made, of the mesh's parts; returns whether there were any.
-  using CutReflex = std::function<bool(ReferenceMesh<3> &, const Parts<3> &)>;
+  /// Cuts reflex curves that earlier cuts have made, of the mesh's parts; returns the number of cuts.
+  using CutReflex = std::function<Index(ReferenceMesh<3> &, const Parts<3> &)>;
 
   /// `parts`: of the mesh, before and after every step.
   BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, bool weighsCuts,
@@ -35,6 +35,8 @@ public:
   Parts<3> partsBefore;
   /// Per component, whether all parts are simple now.
   std::vector<bool> isSimple;
+  /// Cuts of reflex curves that were kept.
+  Index reflexCuts = 0;
   /// Whether a cut has spoilt a joint.
   bool hasSpoilt = false;
 

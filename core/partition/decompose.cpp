@@ -104,9 +104,9 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
 bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
                   bool weighsCuts, Budget<3> &budget, Decomposition<3> &result) {
   const auto cutReflex = [&](ReferenceMesh<3> &cut, const Parts<3> &parts) {
-    const Index before = result.reflexCuts;
-    cutReflexCurves(cut, parts, options, budget, result.reflexCuts);
-    return result.reflexCuts > before;
+    Index cuts = 0;
+    cutReflexCurves(cut, parts, options, budget, cuts);
+    return cuts;
   };
   BentSearch search(mesh, result.parts, {options, axesOf(uncut, mesh.nodes), options.policies}, weighsCuts,
                     cutReflex);
@@ -125,6 +125,7 @@ bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   if (result.early &&
       result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
     takeEarly(mesh, result);
+  result.reflexCuts += search.reflexCuts;
   return search.hasSpoilt;
 }
 

@@ -91,7 +91,7 @@ TEST(BentSearch, EndsWithSimplePartsOfRoundSolids) {
     Parts<3> parts = buildParts(mesh, PartOptions{});
     BentSearch search(mesh, parts,
                       {{1e-6 * mesh.size, toIndex(domain.facets.size())}, axesOf(parts, mesh.nodes), {}},
-                      true, [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
+                      true, [](ReferenceMesh<3> &, const Parts<3> &) { return 0; });
     int cuts = 0;
     while (search.step({false}) != CutReason::none && cuts < 40) ++cuts;
     EXPECT_GT(cuts, 0);
@@ -108,7 +108,7 @@ TEST(BentSearch, LeavesComponentsThatGaveUp) {
   ReferenceMesh<3> mesh = fill(domain);
   Parts<3> parts = buildParts(mesh, PartOptions{});
   BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}}, false,
-                    [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
+                    [](ReferenceMesh<3> &, const Parts<3> &) { return 0; });
   EXPECT_EQ(search.step({true}), CutReason::none);
   EXPECT_EQ(parts.parts.size(), 1U);
 }
@@ -118,7 +118,7 @@ TEST(BentSearch, MendsJointsByRowsOfCuts) {
   ReferenceMesh<3> mesh = fill(domain);
   Parts<3> parts = buildParts(mesh, PartOptions{});
   BentSearch search(mesh, parts, {{1e-6 * mesh.size, toIndex(domain.facets.size())}, {}, {}}, false,
-                    [](ReferenceMesh<3> &, const Parts<3> &) { return false; });
+                    [](ReferenceMesh<3> &, const Parts<3> &) { return 0; });
   EXPECT_EQ(search.step({false}), CutReason::needed);
   EXPECT_EQ(costOf(parts).sum(), 0);
   EXPECT_GT(parts.parts.size(), 1U);
