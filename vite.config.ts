@@ -32,7 +32,7 @@ export default defineConfig({
           name: 'page',
           environment: 'node',
           include: ['page/**/*.test.ts'],
-          fileParallelism: false,
+          maxWorkers: 2,
           testTimeout: 120_000,
           hookTimeout: 120_000,
         },

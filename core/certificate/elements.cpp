@@ -11,9 +11,9 @@
 namespace dualblock {
 namespace {
 
-constexpr int kSamples = 1;            // along each direction inside of an element's face: there are many
-constexpr std::size_t kCrossings = 8;  // that are named
-constexpr double kSameMeasure = 1e-10; // of the blocks' measure: rounding of a sum of millions
+constexpr int kElementSamples = 1; // along each direction inside of an element's face: there are many
+constexpr std::size_t kElementCrossings = 8; // that are named
+constexpr double kSameMeasure = 1e-10;       // of the blocks' measure: rounding of a sum of millions
 
 /// Which faces of cells (blocks or elements) are one. Faces are numbered 2N times the cell, plus the local
 /// number, and kept by their lowest node in flat lists: there may be millions.
@@ -172,7 +172,7 @@ void checkSides(const ElementInput<3> &in, Certificate &certificate) {
   std::vector<SideTriangle> triangles;
   for (std::size_t t = 0; t < in.bent.faces.size(); ++t)
     triangles.push_back({in.bent.faces[t], in.bent.patchOfFace[t]});
-  SideMeasures measures = measureSides(in.refined.positions, faces, triangles, kSamples);
+  SideMeasures measures = measureSides(in.refined.positions, faces, triangles, kElementSamples);
   const std::vector<bool> mayLeave = mayLeaveSides(in);
   for (const FaceFault &fault : measures.faults) {
     const SideFace &face = faces[at(fault.face)];
@@ -197,7 +197,8 @@ void checkEmbedding(const ElementInput<3> &in, Certificate &certificate) {
   for (const Vec<3> &x : in.refined.positions) box.add(x);
   const QuadSurface surface{in.refined.positions, in.refined.boundary.faces};
   const auto elementAt = [&](Index face) { return in.refined.boundaryElement[at(face)]; };
-  for (const auto &[a, b] : crossingFaces(surface, 1e-12 * glm::length(box.high - box.low), kCrossings))
+  for (const auto &[a, b] :
+       crossingFaces(surface, 1e-12 * glm::length(box.high - box.low), kElementCrossings))
     certificate.fail(Check::features, "the elements' boundary could not be shown not to cross itself",
                      {{"element", elementAt(a)}, {"element", elementAt(b)}});
   if (!certificate.valid) return;

@@ -11,8 +11,8 @@
 namespace dualblock {
 
 /// Sizes of domains: products of six lengths have to be doubles.
-inline constexpr double kLargestSize = 1e40;
-inline constexpr double kSmallestSize = 1e-40;
+inline constexpr double kLargestDomain = 1e40;
+inline constexpr double kSmallestDomain = 1e-40;
 
 /// Enough vertices, all coordinates finite, of a size to reckon with, and all references in range.
 template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
@@ -29,7 +29,7 @@ template <int N> std::optional<Error> checkNumbers(const Domain<N> &domain) {
                      "Vertex " + std::to_string(v) + " has a coordinate that is not a finite number.",
                      {{"vertex", static_cast<std::int64_t>(v)}}};
   const double size = domainSize(domain.vertices);
-  if (!(size <= kLargestSize) || (size > 0 && size < kSmallestSize))
+  if (!(size <= kLargestDomain) || (size > 0 && size < kSmallestDomain))
     return Error{ErrorCode::scaleExtreme,
                  "The domain has a size of " + formatNumber(size) + ", which is too " +
                      (size < 1 ? "small" : "large") +

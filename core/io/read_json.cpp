@@ -5,17 +5,13 @@
 #include <set>
 
 #include "base/sort.h"
+#include "io/refusal.h"
 #include <nlohmann/json.hpp>
 
 namespace dualblock {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Thrown inside this file only; readJson turns it into its result.
-struct Refusal {
-  Error error;
-};
 
 [[noreturn]] void refuse(ErrorCode code, const std::string &message, std::vector<EntityRef> entities = {}) {
   throw Refusal{{code, message, std::move(entities)}};

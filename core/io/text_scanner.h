@@ -7,13 +7,9 @@
 
 #include "base/error.h"
 #include "base/types.h"
+#include "io/refusal.h"
 
 namespace dualblock {
-
-/// Thrown by TextScanner and the readers that use it, and never past them: a reader returns `error`.
-struct Refusal {
-  Error error;
-};
 
 /// Walks through a text line by line and, within a line, token by token. '#' begins a comment; lines that
 /// hold nothing else are skipped. Lines end in LF, CRLF or CR. Every failure is thrown as a Refusal that

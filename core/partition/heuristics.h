@@ -141,15 +141,15 @@ inline constexpr double kKeptShape = 0.7;
 // --- Good simplices (remesh/). Shapes: 1 for a regular tetrahedron, 0 for a flat one. Lengths of edges are
 // shares of the size wanted where they are.
 
-inline constexpr double kLargestSize = 0.3;   // of the domain's size: larger ones save nothing
-inline constexpr double kSmallestSize = 1e-3; // of the domain's size: finer details are not followed
-inline constexpr double kPerRadius = 0.52;    // of a radius: 12 edges to a turn
-inline constexpr double kPerThickness = 1.2;  // two layers or three across a wall
-inline constexpr double kInWedge = 0.35;      // of the distance of a wedge's edge, where it is thin by itself
-inline constexpr double kAtWedge = 0.5;       // of the size of that edge
-inline constexpr double kPerGap = 1;          // of the distance of two curves that do not meet
-inline constexpr double kLeastTurn = 0.02;    // radians: less is how a tessellation is rounded
-inline constexpr double kSizeGrowth = 0.4;    // of a size along a length of 1
+inline constexpr double kLargestTriangle = 0.3;   // of the domain's size: larger ones save nothing
+inline constexpr double kSmallestTriangle = 1e-3; // of the domain's size: finer details are not followed
+inline constexpr double kPerRadius = 0.52;        // of a radius: 12 edges to a turn
+inline constexpr double kPerThickness = 1.2;      // two layers or three across a wall
+inline constexpr double kInWedge = 0.35;   // of the distance of a wedge's edge, where it is thin by itself
+inline constexpr double kAtWedge = 0.5;    // of the size of that edge
+inline constexpr double kPerGap = 1;       // of the distance of two curves that do not meet
+inline constexpr double kLeastTurn = 0.02; // radians: less is how a tessellation is rounded
+inline constexpr double kSizeGrowth = 0.4; // of a size along a length of 1
 // Edges longer than the first are divided, shorter than the second contracted: halves of the longest are no
 // shorter.
 inline constexpr double kLongEdge = 1.4;

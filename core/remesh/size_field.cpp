@@ -34,7 +34,7 @@ Box boxOf(std::span<const Vec<3>> points) {
 } // namespace
 
 SizeField::SizeField(const ReferenceMesh<3> &mesh, const Parts<3> &features, double scale)
-    : largest_(kLargestSize * mesh.size), smallest_(kSmallestSize * mesh.size), scale_(mesh.size),
+    : largest_(kLargestTriangle * mesh.size), smallest_(kSmallestTriangle * mesh.size), scale_(mesh.size),
       factor_(scale) {
   readFaces(mesh);
   readCurves(mesh, features);

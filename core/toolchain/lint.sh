@@ -8,10 +8,11 @@ npx biome check .
 npx tsc
 find core wasm tests \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format --dry-run -Werror
 
-cmake --preset native >/dev/null # for compile_commands.json
+cmake --preset lint >/dev/null # for compile_commands.json, and files that hold a folder each
 # shellcheck disable=SC2016 # $0 is the inner shell's: one file
-find core -name '*.cpp' -not -path 'core/toolchain/*' -print0 | xargs -0 -n 1 -P 2 sh -c '
-  report=$(clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p build/native "$0" 2>&1) || {
+grep -o '"file": "[^"]*/\(Unity/[^"]*\|core/[^"]*\)"' build/lint/compile_commands.json | cut -d'"' -f4 |
+  grep -v /core/toolchain/ | xargs -n 1 -P 2 sh -c '
+  report=$(clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p build/lint "$0" 2>&1) || {
     printf "%s\n" "$report"
     exit 1
   }'

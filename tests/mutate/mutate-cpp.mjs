@@ -15,7 +15,7 @@ const folder = fileURLToPath(new URL('../../core/certificate/', import.meta.url)
 
 /** Bounds of which the smaller is the wider: named constants, and lines with others. */
 const kSmallerIsWider = [
-  /constexpr .*\b(kSamples|kPieces|kMostDivisions|kCrossings|kPairsOfFaces|kAttempts) =/, // more is looked at
+  /constexpr .*\b(kSamples|kElementSamples|kPieces|kMostDivisions|kCrossings|kElementCrossings|kPairsOfFaces|kAttempts) =/, // more is looked at
   /constexpr .*\bkBorder =|outward\) <= 1e-7/, // more rays are unclear
   /<= error\) return -1/, // more is refused
   /!\(.* > (tolerance|1e-9 \* length)\)/, // has to be exceeded

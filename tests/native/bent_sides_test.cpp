@@ -23,12 +23,6 @@ void expectCounts(const Domain<3> &domain, const Wanted &wanted, const PipelineO
   EXPECT_GT(minimumQuality(r), 0);
 }
 
-Domain<3> cylinder(int n) {
-  Domain<3> domain = prism(circle(n, 1), 0, 2);
-  domain.name = "cylinder";
-  return domain;
-}
-
 // The first three are the counts of the method's description, ARCHITECTURE.md 3.
 TEST(BentSides, CountsOnEveryReferenceMesh) {
   for (const double edgeLength : {0.0, 0.6})

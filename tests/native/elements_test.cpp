@@ -53,12 +53,6 @@ void expectCaught(const Refined<N> &refined, Check check, const std::string &wor
   EXPECT_NE(failuresOf(c).find(words), std::string::npos) << "no \"" << words << "\" among:" << failuresOf(c);
 }
 
-Domain<3> cylinder(int n) {
-  Domain<3> domain = prism(circle(n, 1), 0, 2);
-  domain.name = "cylinder";
-  return domain;
-}
-
 template <int N> Refined<N> straight() {
   if constexpr (N == 2) return Refined<2>(loadExample<2>("l_shape_2d"));
   else return Refined<3>(loadExample<3>("l_shape_extruded"));

@@ -9,7 +9,7 @@ namespace dualblock::test {
 namespace {
 
 const std::string kBody = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
-const std::string kTetrahedron = "OFF\n4 4 6\n" + kBody;
+const std::string kOffTetrahedron = "OFF\n4 4 6\n" + kBody;
 
 void expectTetrahedron(const std::string &text) {
   SCOPED_TRACE(text);
@@ -30,17 +30,17 @@ std::string replaced(std::string text, const std::string &what, const std::strin
 }
 
 TEST(ReadOff, ReadsHeadersAndLayouts) {
-  expectTetrahedron(kTetrahedron);
+  expectTetrahedron(kOffTetrahedron);
   expectTetrahedron("OFF 4 4 6\n" + kBody);
   expectTetrahedron("OFF\n4 4\n" + kBody);
   expectTetrahedron("OFF # of a tetrahedron\n# comment\n\n 4 4 6 # counts\n\n" + kBody + "\n# the end");
-  expectTetrahedron("# first\n\n" + kTetrahedron);
-  expectTetrahedron("\xEF\xBB\xBF" + kTetrahedron);
-  expectTetrahedron(replaced(kTetrahedron, "\n", "\r\n"));
-  expectTetrahedron(replaced(kTetrahedron, "\n", "\r"));
-  expectTetrahedron(replaced(kTetrahedron, " ", " \t "));
-  expectTetrahedron(replaced(kTetrahedron, "\n", "#\xC3\xA9\n"));
-  expectTetrahedron(kTetrahedron.substr(0, kTetrahedron.size() - 1));
+  expectTetrahedron("# first\n\n" + kOffTetrahedron);
+  expectTetrahedron("\xEF\xBB\xBF" + kOffTetrahedron);
+  expectTetrahedron(replaced(kOffTetrahedron, "\n", "\r\n"));
+  expectTetrahedron(replaced(kOffTetrahedron, "\n", "\r"));
+  expectTetrahedron(replaced(kOffTetrahedron, " ", " \t "));
+  expectTetrahedron(replaced(kOffTetrahedron, "\n", "#\xC3\xA9\n"));
+  expectTetrahedron(kOffTetrahedron.substr(0, kOffTetrahedron.size() - 1));
 }
 
 TEST(ReadOff, SkipsNormalsColoursAndTextureCoordinates) {
@@ -87,7 +87,7 @@ TEST(ReadOff, RefusesBinaryGarbage) {
                                     11)),
                 ErrorCode::syntax, 1);
   expectRefusal(readOff(std::string("\xFF\xFEO\0F\0F\0\n\0", 10)), ErrorCode::syntax, 1); // UTF-16
-  expectRefusal(readOff(kTetrahedron + std::string("\0\n", 2)), ErrorCode::syntax, 11);
+  expectRefusal(readOff(kOffTetrahedron + std::string("\0\n", 2)), ErrorCode::syntax, 11);
   expectRefusal(readOff(std::string(100000, '\xB7')), ErrorCode::syntax, 1);
 }
 
@@ -96,22 +96,22 @@ TEST(ReadOff, RefusesBrokenSyntax) {
   expectRefusal(readOff("OFF\n4\n" + kBody), ErrorCode::syntax, 2);
   expectRefusal(readOff("OFF\n4.0 4 6\n" + kBody), ErrorCode::syntax, 2);
   for (const char *number : {"x", "0,5", "0x1p3", "1e", "--1", "1.2.3", "+", "1_000", "e5"})
-    expectRefusal(readOff(replaced(kTetrahedron, "0 1 0", std::string("0 ") + number + " 0")),
+    expectRefusal(readOff(replaced(kOffTetrahedron, "0 1 0", std::string("0 ") + number + " 0")),
                   ErrorCode::syntax, 5, "vertex", 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "0 1 0", "0 " + std::string(1000, '1') + " 0")),
+  expectRefusal(readOff(replaced(kOffTetrahedron, "0 1 0", "0 " + std::string(1000, '1') + " 0")),
                 ErrorCode::syntax, 5, "vertex", 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "0 1 0", "0 1")), ErrorCode::syntax, 5, "vertex", 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "3 1 2")), ErrorCode::syntax, 9, "facet", 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "3 1 2 3.5")), ErrorCode::syntax, 9, "facet", 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "-3 1 2 3")), ErrorCode::syntax, 9, "facet", 2);
-  expectRefusal(readOff(kTetrahedron + "3 0 1 2\n"), ErrorCode::syntax, 11);
+  expectRefusal(readOff(replaced(kOffTetrahedron, "0 1 0", "0 1")), ErrorCode::syntax, 5, "vertex", 2);
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "3 1 2")), ErrorCode::syntax, 9, "facet", 2);
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "3 1 2 3.5")), ErrorCode::syntax, 9, "facet", 2);
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "-3 1 2 3")), ErrorCode::syntax, 9, "facet", 2);
+  expectRefusal(readOff(kOffTetrahedron + "3 0 1 2\n"), ErrorCode::syntax, 11);
 }
 
 TEST(ReadOff, RefusesAbsurdCounts) {
   for (const char *counts :
        {"-4 4 6", "4 -4 6", "4000000000 4 6", "4 2147483647 6", "99999999999999999999999 4 6"})
     expectRefusal(readOff("OFF\n" + std::string(counts) + "\n" + kBody), ErrorCode::syntax, 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "2000000000 1 2 3")), ErrorCode::syntax, 9, "facet",
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "2000000000 1 2 3")), ErrorCode::syntax, 9, "facet",
                 2);
 }
 
@@ -120,37 +120,37 @@ TEST(ReadOff, RefusesTruncatedFiles) {
   expectRefusal(readOff("OFF\n4"), ErrorCode::fileTruncated, 2);
   expectRefusal(readOff("OFF\n4 4 6\n0 0 0\n1 0 0\n"), ErrorCode::fileTruncated, 4);
   expectRefusal(readOff("OFF\n4 4 6\n0 0 0\n1 0"), ErrorCode::fileTruncated, 4, "vertex", 1);
-  expectRefusal(readOff(kTetrahedron.substr(0, kTetrahedron.size() - 8)), ErrorCode::fileTruncated, 9);
-  expectRefusal(readOff(kTetrahedron.substr(0, kTetrahedron.size() - 2)), ErrorCode::fileTruncated, 10,
+  expectRefusal(readOff(kOffTetrahedron.substr(0, kOffTetrahedron.size() - 8)), ErrorCode::fileTruncated, 9);
+  expectRefusal(readOff(kOffTetrahedron.substr(0, kOffTetrahedron.size() - 2)), ErrorCode::fileTruncated, 10,
                 "facet", 3);
 }
 
 TEST(ReadOff, RefusesNumbersThatAreNotFinite) {
   for (const char *number : {"nan", "-NaN", "nan(0x7)", "inf", "-Inf", "INFINITY", "1e999", "-1e999",
                              "1.#INF", "-1.#IND", "1.#QNAN"}) {
-    expectRefusal(readOff(replaced(kTetrahedron, "0 1 0", std::string("0 ") + number + " 0")),
+    expectRefusal(readOff(replaced(kOffTetrahedron, "0 1 0", std::string("0 ") + number + " 0")),
                   ErrorCode::notFinite, 5, "vertex", 2);
-    expectRefusal(readOff(replaced(kTetrahedron, "0 1 0", std::string("0 1 ") + number)),
+    expectRefusal(readOff(replaced(kOffTetrahedron, "0 1 0", std::string("0 1 ") + number)),
                   ErrorCode::notFinite, 5, "vertex", 2);
   }
 }
 
 TEST(ReadOff, RefusesReferencesOutOfRange) {
   for (const char *face : {"3 1 2 4", "3 1 -1 2", "3 99999999999 1 2", "3 1 2 -99999999999999999999999999"})
-    expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", face)), ErrorCode::indexOutOfRange, 9, "facet",
+    expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", face)), ErrorCode::indexOutOfRange, 9, "facet",
                   2);
 }
 
 TEST(ReadOff, RefusesTooLittle) {
   expectRefusal(readOff("OFF\n0 4 6\n" + kBody), ErrorCode::tooFewVertices, 2);
   expectRefusal(readOff("OFF\n4 0 6\n" + kBody), ErrorCode::tooFewFacets, 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "2 1 2")), ErrorCode::degenerateFacet, 9, "facet",
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "2 1 2")), ErrorCode::degenerateFacet, 9, "facet",
                 2);
-  expectRefusal(readOff(replaced(kTetrahedron, "3 1 2 3", "0")), ErrorCode::degenerateFacet, 9, "facet", 2);
+  expectRefusal(readOff(replaced(kOffTetrahedron, "3 1 2 3", "0")), ErrorCode::degenerateFacet, 9, "facet", 2);
 }
 
 TEST(ReadOff, SurvivesDamage) {
-  expectToSurviveDamage(kTetrahedron, readOff);
+  expectToSurviveDamage(kOffTetrahedron, readOff);
   expectToSurviveDamage("CNOFF 4 4 6 # a comment\r\n" + kBody, readOff);
 }
 
@@ -164,15 +164,15 @@ TEST(ReadOff, ReadsTheSharedFiles) { // those under ../shared/data
 }
 
 TEST(ReadDomain, ChoosesTheReader) {
-  EXPECT_TRUE(readDomain("off", kTetrahedron).ok());
-  EXPECT_FALSE(readDomain("poly", kTetrahedron).ok());
-  EXPECT_FALSE(readDomain("smesh", kTetrahedron).ok());
+  EXPECT_TRUE(readDomain("off", kOffTetrahedron).ok());
+  EXPECT_FALSE(readDomain("poly", kOffTetrahedron).ok());
+  EXPECT_FALSE(readDomain("smesh", kOffTetrahedron).ok());
   const auto square = readDomain("json", R"({"format": "dualblock-domain/1", "dimension": 2,
     "vertices": [[0, 0], [1, 0], [1, 1]], "loops": [[0, 1, 2]]})");
   ASSERT_TRUE(square.ok()) << square.error().message;
   EXPECT_TRUE(std::holds_alternative<Domain<2>>(square.value()));
   for (const char *format : {"", "OFF", ".off", "stl", "a name that is long enough to be cut off"}) {
-    const auto result = readDomain(format, kTetrahedron);
+    const auto result = readDomain(format, kOffTetrahedron);
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().code, ErrorCode::formatUnknown);
   }

@@ -11,7 +11,7 @@ namespace {
 const std::string kNodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
 const std::string kFacets = "4 1\n1 0 1\n3 1 3 2\n1 0 1\n3 1 2 4\n1\n3 2 3 4\n1 0 1\n3 1 4 3\n";
 const std::string kLists = "1\n1 0.5 0.5 0.5\n1\n1 0.1 0.2 0.3 7 0.01\n";
-const std::string kTetrahedron = kNodes + kFacets + kLists;
+const std::string kPolyTetrahedron = kNodes + kFacets + kLists;
 const std::string kSmesh = kNodes + "4 1\n3 1 3 2 5\n3 1 2 4\n3 2 3 4 -1\n3 1 4 3\n" + kLists;
 
 Result<AnyDomain> readPolyText(std::string_view text) { return readPoly(text, false); }
@@ -19,7 +19,7 @@ Result<AnyDomain> readSmeshText(std::string_view text) { return readPoly(text, t
 
 using Loops = std::vector<std::vector<Index>>;
 
-std::string replaced(std::string text, const std::string &what, const std::string &by) {
+std::string replacedFirst(std::string text, const std::string &what, const std::string &by) {
   const std::size_t k = text.find(what);
   EXPECT_NE(k, std::string::npos) << what;
   return k == std::string::npos ? text : text.replace(k, what.size(), by);
@@ -52,9 +52,9 @@ std::string squares(const std::string &facet) {
 constexpr int kFirstOfFacet = 24; // line of the facet that squares() is given
 
 TEST(ReadPoly, ReadsNodesFacetsHolesAndRegions) {
-  expectTetrahedron(readPolyText(kTetrahedron));
+  expectTetrahedron(readPolyText(kPolyTetrahedron));
   expectTetrahedron(readSmeshText(kSmesh));
-  for (const auto &result : {readPolyText(kTetrahedron), readSmeshText(kSmesh)}) {
+  for (const auto &result : {readPolyText(kPolyTetrahedron), readSmeshText(kSmesh)}) {
     const Domain<3> domain = domainOf(result);
     ASSERT_EQ(domain.holes.size(), 1U);
     EXPECT_EQ(domain.holes[0], Vec<3>(0.5, 0.5, 0.5));
@@ -65,10 +65,10 @@ TEST(ReadPoly, ReadsNodesFacetsHolesAndRegions) {
 }
 
 TEST(ReadPoly, ReadsEveryLayout) {
-  expectTetrahedron(readPolyText("# head\n\n" + replaced(kTetrahedron, "4 3 0 0", "4 # nodes")));
-  expectTetrahedron(readPolyText(replaced(kTetrahedron, "4 0 0 1", "4 0 0 1 0.25 7 # attribute, marker")));
-  expectTetrahedron(readPolyText(replaced(kTetrahedron, "3 2 3 4", "3\n2\n\n# more\n3 4")));
-  expectTetrahedron(readSmeshText(replaced(kSmesh, "3 2 3 4 -1", "3 2\n3 4 -1")));
+  expectTetrahedron(readPolyText("# head\n\n" + replacedFirst(kPolyTetrahedron, "4 3 0 0", "4 # nodes")));
+  expectTetrahedron(readPolyText(replacedFirst(kPolyTetrahedron, "4 0 0 1", "4 0 0 1 0.25 7 # attribute, marker")));
+  expectTetrahedron(readPolyText(replacedFirst(kPolyTetrahedron, "3 2 3 4", "3\n2\n\n# more\n3 4")));
+  expectTetrahedron(readSmeshText(replacedFirst(kSmesh, "3 2 3 4 -1", "3 2\n3 4 -1")));
   expectTetrahedron(readPolyText(kNodes + kFacets + "0\n0\n"));
   expectTetrahedron(readPolyText(kNodes + kFacets + "0\n"));
   expectTetrahedron(readPolyText(kNodes + kFacets));
@@ -76,7 +76,7 @@ TEST(ReadPoly, ReadsEveryLayout) {
       readPolyText("4 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 0\n1\n3 0 2 1\n1\n3 0 1 3\n1\n3 1 2 3\n"
                    "1\n3 0 3 2\n0\n")); // numbered from 0
   std::string windows;
-  for (const char c : kTetrahedron) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : kPolyTetrahedron) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   expectTetrahedron(readPolyText(windows));
 }
 
@@ -141,7 +141,7 @@ TEST(ReadPoly, RefusesDanglingVerticesAndSegments) {
     expectRefusal(readPolyText(squares("2\n4 0 1 2 3\n" + std::string(polygon) + "\n")),
                   ErrorCode::degenerateFacet, kFirstOfFacet + 1, "facet", 0);
   expectRefusal(readPolyText(squares("0\n")), ErrorCode::degenerateFacet, kFirstOfFacet - 1, "facet", 0);
-  expectRefusal(readSmeshText(replaced(kSmesh, "3 2 3 4 -1", "2 2 3 4")), ErrorCode::degenerateFacet, 9,
+  expectRefusal(readSmeshText(replacedFirst(kSmesh, "3 2 3 4 -1", "2 2 3 4")), ErrorCode::degenerateFacet, 9,
                 "facet", 2);
 }
 
@@ -165,7 +165,7 @@ TEST(ReadPoly, RefusesBrokenSyntax) {
   const auto refused = [](const char *what, const char *by, int line, const char *kind = "line",
                           int index = -1) {
     SCOPED_TRACE(by);
-    expectRefusal(readPolyText(replaced(kTetrahedron, what, by)), ErrorCode::syntax, line, kind, index);
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, what, by)), ErrorCode::syntax, line, kind, index);
   };
   refused("4 3 0 0", "4 2 0 0", 1);
   refused("4 3 0 0", "OFF", 1);
@@ -185,7 +185,7 @@ TEST(ReadPoly, RefusesBrokenSyntax) {
   refused("1 0.5 0.5 0.5", "0.5 0.5 0.5", 16, "hole", 0);
   refused("1 0.1 0.2 0.3 7", "1 0.1 0.2 0.3 left", 18, "region", 0);
   refused("7 0.01\n", "7 0.01\n2 0 0 0 1\n", 19);
-  expectRefusal(readPolyText(kTetrahedron + std::string("\0\1\n", 3)), ErrorCode::syntax, 19);
+  expectRefusal(readPolyText(kPolyTetrahedron + std::string("\0\1\n", 3)), ErrorCode::syntax, 19);
   expectRefusal(readPolyText(std::string("\x89PNG\r\n\x1a\n\0\0", 10)), ErrorCode::syntax, 2);
 }
 
@@ -204,11 +204,11 @@ TEST(ReadPoly, RefusesTruncatedFiles) {
 
 TEST(ReadPoly, RefusesNumbersThatAreNotFinite) {
   for (const std::string number : {"nan", "-inf", "1e999"}) {
-    expectRefusal(readPolyText(replaced(kTetrahedron, "3 0 1 0", "3 0 " + number + " 0")),
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "3 0 1 0", "3 0 " + number + " 0")),
                   ErrorCode::notFinite, 4, "vertex", 2);
-    expectRefusal(readPolyText(replaced(kTetrahedron, "1 0.5 ", "1 " + number + " ")), ErrorCode::notFinite,
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "1 0.5 ", "1 " + number + " ")), ErrorCode::notFinite,
                   16, "hole", 0);
-    expectRefusal(readPolyText(replaced(kTetrahedron, "0.3 7", "0.3 " + number)), ErrorCode::notFinite, 18,
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "0.3 7", "0.3 " + number)), ErrorCode::notFinite, 18,
                   "region", 0);
   }
   // Finite themselves, but not their products, on which the order of polygons depends.
@@ -220,7 +220,7 @@ TEST(ReadPoly, RefusesNumbersThatAreNotFinite) {
 
 TEST(ReadPoly, RefusesReferencesOutOfRange) {
   for (const char *polygon : {"3 1 3 5", "3 0 3 2", "3 -1 3 2", "3 1 3 99999999999999999999"})
-    expectRefusal(readPolyText(replaced(kTetrahedron, "3 1 3 2", polygon)), ErrorCode::indexOutOfRange, 8,
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "3 1 3 2", polygon)), ErrorCode::indexOutOfRange, 8,
                   "facet", 0);
 }
 
@@ -250,7 +250,7 @@ TEST(ReadPoly, SortsManyHolesAndRefusesTooMany) {
 }
 
 TEST(ReadPoly, SurvivesDamage) {
-  expectToSurviveDamage(kTetrahedron, readPolyText);
+  expectToSurviveDamage(kPolyTetrahedron, readPolyText);
   expectToSurviveDamage(kSmesh, readSmeshText);
   expectToSurviveDamage(
       squares("5 1\n4 8 9 10 11\n4 12 13 14 15\n4 16 19 18 17\n4 4 5 6 7\n4 0 1 2 3\n1 0.75 0 0.75\n"),

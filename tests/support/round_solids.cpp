@@ -10,6 +10,12 @@ std::vector<Vec<2>> circle(int n, double radius, const Vec<2> &at) {
   return polygon;
 }
 
+Domain<3> cylinder(int n) {
+  Domain<3> domain = prism(circle(n, 1), 0, 2);
+  domain.name = "cylinder";
+  return domain;
+}
+
 Domain<3> plateWithHole(int n) {
   Domain<3> domain = prism({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, 0, 1);
   addHole(domain, circle(n, 0.8), 0, 1);

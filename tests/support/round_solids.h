@@ -10,6 +10,8 @@ namespace dualblock::test {
 
 std::vector<Vec<2>> circle(int n, double radius, const Vec<2> &at = {0, 0});
 
+Domain<3> cylinder(int n);
+
 Domain<3> plateWithHole(int n);
 
 /// A surface of revolution about z: `profile` from pole to pole, (radius, height), both ends on the axis.
