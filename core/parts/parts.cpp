@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include "base/disjoint_sets.h"
@@ -234,12 +235,15 @@ std::vector<Index> sideEuler(const Parts<N> &parts, const BoundaryFaces<N> &boun
 template <int N> std::vector<UnlikeCorner> unlikeCorners(const Parts<N> &parts) {
   std::vector<UnlikeCorner> unlike;
   if constexpr (N == 2) return unlike;                 // a side's ends are those of the one behind it
-  const auto hasCorner = [&](Index side, Index node) { // corners are in the order of parts, then nodes
+  std::vector<Index> first(parts.parts.size() + 1, 0); // corner of each part
+  for (const Corner &corner : parts.corners) ++first[at(corner.part) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  const auto hasCorner = [&](Index side, Index node) {
     const Index part = parts.sides[at(side)].part;
-    const auto found =
-        std::lower_bound(parts.corners.begin(), parts.corners.end(), std::pair(part, node),
-                         [](const Corner &c, const auto &key) { return std::pair(c.part, c.node) < key; });
-    return found != parts.corners.end() && found->part == part && found->node == node &&
+    const auto end = parts.corners.begin() + first[at(part) + 1];
+    const auto found = std::lower_bound(parts.corners.begin() + first[at(part)], end, node,
+                                        [](const Corner &c, Index n) { return c.node < n; });
+    return found != end && found->node == node &&
            std::binary_search(found->sides.begin(), found->sides.end(), side);
   };
   for (const Corner &corner : parts.corners)

@@ -1,17 +1,20 @@
-// Adds up what CTest and Vitest report about the last `npm test`: the last line is 'N passed, N failed'.
+// Adds up what GoogleTest and Vitest report about the last `npm test`: the last line is 'N passed, N failed'.
 // Fails if a report is missing or a test failed.
 import { readFileSync, rmSync } from 'node:fs';
 
+const kShards = 16; // as in CMakeLists.txt
+
 const reports = [
-  {
-    file: 'build/sanitize/junit.xml',
+  ...Array.from({ length: kShards }, (_, shard) => ({
+    file: `build/sanitize/reports/${shard}.xml`,
     count(text) {
-      const suite = /<testsuite\b[^>]*>/.exec(text)[0];
-      const number = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)[1]);
-      const failed = number('failures');
-      return { passed: number('tests') - failed - number('skipped') - number('disabled'), failed };
+      const suites = /<testsuites\b[^>]*>/.exec(text)[0];
+      const number = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suites)[1]);
+      const failed = number('failures') + number('errors');
+      const skipped = text.match(/<skipped\b/g)?.length ?? 0;
+      return { passed: number('tests') - failed - skipped - number('disabled'), failed };
     },
-  },
+  })),
   {
     file: 'build/vitest.json',
     count(text) {
