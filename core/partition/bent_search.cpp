@@ -88,7 +88,8 @@ std::vector<bool> simpleComponents(const ReferenceMesh<3> &mesh, const Parts<3> 
 BentSearch::BentSearch(ReferenceMesh<3> &mesh, Parts<3> &parts, BentCutOptions options, bool weighsCuts,
                        CutReflex cutReflex)
     : isSimple(simpleComponents(mesh, parts)), mesh_(mesh), parts_(parts), options_(std::move(options)),
-      weighsCuts_(weighsCuts), cutReflex_(std::move(cutReflex)), partsWithoutReflex_(parts.parts.size()) {}
+      weighsCuts_(weighsCuts), cutReflex_(std::move(cutReflex)), partsWithoutReflex_(parts.parts.size()),
+      cost_(costOf(parts)) {}
 
 CutReason BentSearch::step(const std::vector<bool> &gaveUp) {
   const std::vector<Index> component = componentOfParts(mesh_, parts_);
@@ -116,7 +117,6 @@ bool BentSearch::cutBy(std::span<const Source> sources, PartView &view) {
 /// The first of a source's cuts; where they are weighed, that spoils no joint, or that which leaves least
 /// wrong.
 bool BentSearch::trySource(Source source, const PartView &view) {
-  const Index joints = costOf(parts_).joints;
   std::optional<ReferenceMesh<3>> best;
   Parts<3> bestParts;
   Index least = 0;
@@ -129,8 +129,8 @@ bool BentSearch::trySource(Source source, const PartView &view) {
       continue;
     }
     const Cost cost = costOf(now);
-    if (!weighsCuts_ || (cost.joints <= joints && !best)) {
-      hasSpoilt = hasSpoilt || cost.joints > joints;
+    if (!weighsCuts_ || (cost.joints <= cost_.joints && !best)) {
+      hasSpoilt = hasSpoilt || cost.joints > cost_.joints;
       return take(std::move(now));
     }
     if (!best || cost.sum() < least) {
@@ -148,6 +148,7 @@ bool BentSearch::trySource(Source source, const PartView &view) {
 bool BentSearch::take(Parts<3> parts) {
   partsBefore = std::exchange(parts_, std::move(parts));
   isSimple = simpleComponents(mesh_, parts_);
+  cost_ = costOf(parts_);
   return true;
 }
 
@@ -157,7 +158,7 @@ bool BentSearch::cutReflexAgain() {
   const Index cuts = cutReflex_(mesh_, parts_);
   if (cuts == 0) return false;
   Parts<3> now = buildParts(mesh_, PartOptions{});
-  if (isWorse(isSimple, simpleComponents(mesh_, now)) || costOf(now).sum() > costOf(parts_).sum()) {
+  if (isWorse(isSimple, simpleComponents(mesh_, now)) || costOf(now).sum() > cost_.sum()) {
     mesh_ = meshBefore;
     return false;
   }
@@ -166,7 +167,7 @@ bool BentSearch::cutReflexAgain() {
 }
 
 bool BentSearch::cutJoints() {
-  if (triedJoints_ || costOf(parts_).joints == 0) return false;
+  if (triedJoints_ || cost_.joints == 0) return false;
   triedJoints_ = true;
   auto found = JointSearch(mesh_, parts_, options_).run();
   if (!found) return false;

@@ -54,6 +54,7 @@ private:
   CutReflex cutReflex_;
   std::vector<Plane<3>> refused_;
   std::size_t partsWithoutReflex_ = 0; // how many there were when no reflex curve was left
+  Cost cost_;                          // of the parts
   bool triedJoints_ = false;
 };
 

@@ -97,7 +97,7 @@ inline constexpr int kVertexRounds = 40;
 inline constexpr Index kTimesSimplices = 40;
 inline constexpr Index kMoreSimplices = 60000;
 inline constexpr Index kMoreTriangles = 200000; // cheap
-inline constexpr double kBentShare = 0.4;       // of that: bent cuts are dear, and those that help come early
+inline constexpr double kBentShare = 0.2;       // of that: bent cuts are dear, and those that help come early
 // Counted again when there are so many times as many: often enough to stop in time, seldom enough to be
 // cheap.
 inline constexpr double kRecount = 1.25;
