@@ -239,11 +239,13 @@ private:
   }
 
   bool swapAt(Index t) {
+    if (!mesh_.hasChanged(t)) return false; // since it could not be bettered
     const auto v = mesh_.tets[at(t)].v;
     for (const auto &[a, b] : kEdges)
       if (editor_.swapEdge(v[a], v[b])) return true;
     for (std::size_t i = 0; i < 4; ++i)
       if (editor_.swapFace(t, i)) return true;
+    mesh_.unchanged(t);
     return false;
   }
 

@@ -7,7 +7,8 @@ namespace dualblock {
 /// The nodes around an edge in order, so that (a, b, ring i, ring i + 1) are the tetrahedra of shell_. False
 /// where they are no single fan, or too many.
 bool TetEditor::findRing(Index a, Index b, bool &isClosed) {
-  std::vector<std::array<Index, 2>> pairs;
+  auto &pairs = pairs_;
+  pairs.clear();
   for (const Index t : shell_) {
     const Tet &tet = mesh_.tets[at(t)];
     std::array<Index, 2> pair{kNone, kNone};

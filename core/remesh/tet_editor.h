@@ -61,6 +61,7 @@ private:
   std::vector<TetMesh::EdgeFace> faces_;
   static constexpr std::size_t kMostRing = 8;
   std::vector<Index> ring_;
+  std::vector<std::array<Index, 2>> pairs_; // of the ring's nodes, as tetrahedra have them
   std::array<std::array<double, kMostRing>, kMostRing> best_{};
   std::array<std::array<std::size_t, kMostRing>, kMostRing> apex_{};
 };

@@ -4,14 +4,19 @@ namespace dualblock {
 
 Index TetMesh::add(const Tet &tet) {
   Index t = toIndex(tets.size());
+  ++clock_;
   if (free_.empty()) {
     tets.push_back(tet);
+    seen_.push_back(0);
   } else {
     t = free_.back();
     free_.pop_back();
     tets[at(t)] = tet;
   }
-  for (const Index v : tet.v) stars_[at(v)].push_back(t);
+  for (const Index v : tet.v) {
+    stars_[at(v)].push_back(t);
+    stamps_[at(v)] = clock_;
+  }
   ++alive_;
   if (isMarked_) edits_.push_back({t, kNone, {}, {}});
   return t;
@@ -19,7 +24,9 @@ Index TetMesh::add(const Tet &tet) {
 
 void TetMesh::remove(Index t) {
   if (isMarked_) edits_.push_back({kNone, kNone, tets[at(t)], {}});
+  ++clock_;
   for (Index &v : tets[at(t)].v) {
+    stamps_[at(v)] = clock_;
     std::vector<Index> &star = stars_[at(v)];
     *std::find(star.begin(), star.end(), t) = star.back();
     star.pop_back();
@@ -37,6 +44,18 @@ void TetMesh::mark() {
 void TetMesh::move(Index node, const Vec<3> &x) {
   if (isMarked_) edits_.push_back({kNone, node, {}, nodes[at(node)].x});
   nodes[at(node)].x = x;
+  stampAround(node);
+}
+
+void TetMesh::stampAround(Index node) {
+  ++clock_;
+  for (const Index t : stars_[at(node)])
+    for (const Index v : tets[at(t)].v) stamps_[at(v)] = clock_;
+}
+
+bool TetMesh::hasChanged(Index t) const {
+  const auto &v = tets[at(t)].v;
+  return std::any_of(v.begin(), v.end(), [&](Index node) { return stamps_[at(node)] > seen_[at(t)]; });
 }
 
 void TetMesh::setTag(Index t, std::size_t face, Index tag) {
@@ -45,15 +64,22 @@ void TetMesh::setTag(Index t, std::size_t face, Index tag) {
     edits_.push_back({t, kNone, {}, {}});
   }
   tets[at(t)].tags[face] = tag;
+  ++clock_;
+  for (const Index v : tets[at(t)].v) stamps_[at(v)] = clock_;
 }
 
 void TetMesh::rollBack() {
   isMarked_ = false;
   // In between a tetrahedron's number may have gone to another: from the last edit on, each is the one meant.
   for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit)
-    if (edit->node != kNone) nodes[at(edit->node)].x = edit->place;
-    else if (edit->tet != kNone) remove(edit->tet);
-    else add(edit->was);
+    if (edit->node != kNone) {
+      nodes[at(edit->node)].x = edit->place;
+      stampAround(edit->node);
+    } else if (edit->tet != kNone) {
+      remove(edit->tet);
+    } else {
+      add(edit->was);
+    }
 }
 
 double TetMesh::worstOfNew() const {

@@ -74,6 +74,7 @@ public:
   Index addNode(const TetNode &node) {
     nodes.push_back(node);
     stars_.emplace_back();
+    stamps_.push_back(0);
     return toIndex(nodes.size()) - 1;
   }
   Index add(const Tet &tet);
@@ -85,6 +86,10 @@ public:
   void rollBack();
   void keep() { isMarked_ = false; }
   void move(Index node, const Vec<3> &x);
+  /// Whether anything at the nodes of a tetrahedron, or where a neighbour of them is, has changed since
+  /// unchanged(t).
+  bool hasChanged(Index t) const;
+  void unchanged(Index t) { seen_[at(t)] = clock_; }
   void setTag(Index t, std::size_t face, Index tag);
   double worstOfNew() const;
 
@@ -102,7 +107,12 @@ public:
   void facesAt(Index a, Index b, const std::vector<Index> &shell, std::vector<EdgeFace> &faces) const;
 
 private:
+  void stampAround(Index node);
+
   std::vector<std::vector<Index>> stars_;
+  std::uint32_t clock_ = 1;             // counts changes
+  std::vector<std::uint32_t> stamps_{}; // per node: of the last one there
+  std::vector<std::uint32_t> seen_{};   // per tetrahedron: when it was last found unchanged
   struct Edit { // a tetrahedron that came (its number) or went (what it was), or where a node was
     Index tet, node;
     Tet was;
