@@ -151,7 +151,8 @@ TEST(Parts, NotSimpleForAReason) {
 // own.
 TEST(Parts, FacetsOfACylinderAreSides) {
   std::vector<Vec<2>> circle;
-  for (int k = 0; k < 24; ++k) circle.emplace_back(std::cos(15 * k * kOneDegree), std::sin(15 * k * kOneDegree));
+  for (int k = 0; k < 24; ++k)
+    circle.emplace_back(std::cos(15 * k * kOneDegree), std::sin(15 * k * kOneDegree));
   const auto parts = buildParts(fill(prism(circle, 0, 1), 0, 0, 0), {});
   EXPECT_EQ(parts.sides.size(), 26U);
   EXPECT_EQ(parts.curves.size(), 72U);

@@ -66,7 +66,8 @@ TEST(ReadPoly, ReadsNodesFacetsHolesAndRegions) {
 
 TEST(ReadPoly, ReadsEveryLayout) {
   expectTetrahedron(readPolyText("# head\n\n" + replacedFirst(kPolyTetrahedron, "4 3 0 0", "4 # nodes")));
-  expectTetrahedron(readPolyText(replacedFirst(kPolyTetrahedron, "4 0 0 1", "4 0 0 1 0.25 7 # attribute, marker")));
+  expectTetrahedron(
+      readPolyText(replacedFirst(kPolyTetrahedron, "4 0 0 1", "4 0 0 1 0.25 7 # attribute, marker")));
   expectTetrahedron(readPolyText(replacedFirst(kPolyTetrahedron, "3 2 3 4", "3\n2\n\n# more\n3 4")));
   expectTetrahedron(readSmeshText(replacedFirst(kSmesh, "3 2 3 4 -1", "3 2\n3 4 -1")));
   expectTetrahedron(readPolyText(kNodes + kFacets + "0\n0\n"));
@@ -165,7 +166,8 @@ TEST(ReadPoly, RefusesBrokenSyntax) {
   const auto refused = [](const char *what, const char *by, int line, const char *kind = "line",
                           int index = -1) {
     SCOPED_TRACE(by);
-    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, what, by)), ErrorCode::syntax, line, kind, index);
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, what, by)), ErrorCode::syntax, line, kind,
+                  index);
   };
   refused("4 3 0 0", "4 2 0 0", 1);
   refused("4 3 0 0", "OFF", 1);
@@ -206,10 +208,10 @@ TEST(ReadPoly, RefusesNumbersThatAreNotFinite) {
   for (const std::string number : {"nan", "-inf", "1e999"}) {
     expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "3 0 1 0", "3 0 " + number + " 0")),
                   ErrorCode::notFinite, 4, "vertex", 2);
-    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "1 0.5 ", "1 " + number + " ")), ErrorCode::notFinite,
-                  16, "hole", 0);
-    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "0.3 7", "0.3 " + number)), ErrorCode::notFinite, 18,
-                  "region", 0);
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "1 0.5 ", "1 " + number + " ")),
+                  ErrorCode::notFinite, 16, "hole", 0);
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "0.3 7", "0.3 " + number)),
+                  ErrorCode::notFinite, 18, "region", 0);
   }
   // Finite themselves, but not their products, on which the order of polygons depends.
   const std::string large =
@@ -220,8 +222,8 @@ TEST(ReadPoly, RefusesNumbersThatAreNotFinite) {
 
 TEST(ReadPoly, RefusesReferencesOutOfRange) {
   for (const char *polygon : {"3 1 3 5", "3 0 3 2", "3 -1 3 2", "3 1 3 99999999999999999999"})
-    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "3 1 3 2", polygon)), ErrorCode::indexOutOfRange, 8,
-                  "facet", 0);
+    expectRefusal(readPolyText(replacedFirst(kPolyTetrahedron, "3 1 3 2", polygon)),
+                  ErrorCode::indexOutOfRange, 8, "facet", 0);
 }
 
 TEST(ReadPoly, SortsManyHolesAndRefusesTooMany) {
