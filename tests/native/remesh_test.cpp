@@ -1,6 +1,7 @@
 // Good simplices: whatever the edits do, what comes out is a mesh of the same domain, and of better shape.
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "geometry/nearest.h"
 #include "remesh/remesh.h"
@@ -210,6 +211,61 @@ TEST_F(Editing, TakesTagsBack) {
   EXPECT_NE(contents(mesh_), before);
   mesh_.rollBack();
   EXPECT_EQ(contents(mesh_), before);
+}
+
+// What swapping depends on, the tetrahedra at the edges of each, is looked at as a whole: nothing that is
+// said to be unchanged may differ, and most of what is far away has to be.
+TEST_F(Editing, KnowsWhereNothingHasChanged) {
+  for (int round = 0; round < 4; ++round)
+    for (const Tet &tet : std::vector<Tet>(mesh_.tets))
+      if (tet.v[0] != kNone && mesh_.hasEdge(tet.v[0], tet.v[1])) editor_.splitEdge(tet.v[0], tet.v[1]);
+  using Around = std::set<std::tuple<std::array<Index, 4>, std::array<Index, 4>, std::array<double, 12>>>;
+  const auto around = [&](Index t) {
+    Around all;
+    std::vector<Index> shell;
+    for (const Index a : mesh_.tets[at(t)].v)
+      for (const Index b : mesh_.tets[at(t)].v) {
+        if (a >= b) continue;
+        mesh_.shellOf(a, b, shell);
+        for (const Index s : shell) {
+          const Tet &tet = mesh_.tets[at(s)];
+          std::array<double, 12> places{};
+          for (std::size_t k = 0; k < 12; ++k) places[k] = mesh_.x(tet.v[k / 3])[static_cast<int>(k % 3)];
+          all.insert({tet.v, tet.tags, places});
+        }
+      }
+    return all;
+  };
+  const auto expectKnown = [&](const char *what, const auto &edit) {
+    SCOPED_TRACE(what);
+    std::map<Index, Around> before;
+    for (Index t = 0; t < toIndex(mesh_.tets.size()); ++t) {
+      if (!mesh_.isAlive(t)) continue;
+      mesh_.unchanged(t);
+      before[t] = around(t);
+    }
+    edit();
+    int same = 0;
+    for (const auto &[t, was] : before) {
+      if (!mesh_.isAlive(t) || mesh_.hasChanged(t)) continue;
+      ++same;
+      EXPECT_EQ(around(t), was) << "tetrahedron " << t;
+    }
+    EXPECT_GT(same, 0);
+    EXPECT_LT(same, toIndex(before.size()));
+  };
+  const Tet first = mesh_.tets[0];
+  Index node = kNone;
+  expectKnown("divided", [&] { node = editor_.splitEdge(first.v[0], first.v[1]); });
+  expectKnown("moved", [&] { mesh_.move(node, mesh_.x(node) + Vec<3>(1e-3)); });
+  expectKnown("another tag", [&] { mesh_.setTag(mesh_.star(node)[0], 0, 0); });
+  expectKnown("taken back", [&] {
+    mesh_.mark();
+    mesh_.move(node, mesh_.x(node) + Vec<3>(1e-3));
+    for (const Index t : std::vector<Index>(mesh_.star(node).begin(), mesh_.star(node).end()))
+      mesh_.unchanged(t);
+    mesh_.rollBack();
+  });
 }
 
 // What was divided contracts again, but never a corner into anything, nor a node off what it lies on.
