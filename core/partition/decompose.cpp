@@ -100,6 +100,12 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   if (mesh.simplexCount() > options.mostSimplices) budget.update(mesh);
 }
 
+std::size_t bentSidesOf(const ReferenceMesh<3> &mesh, const Parts<3> &uncut) {
+  return static_cast<std::size_t>(
+      std::count_if(uncut.sides.begin(), uncut.sides.end(),
+                    [&](const Side &side) { return mesh.surfaces[at(FaceTag::surface(side.tag))].bent; }));
+}
+
 /// Rule 3. Returns whether a cut has spoilt a joint.
 bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
                   bool weighsCuts, Budget<3> &budget, Decomposition<3> &result) {
@@ -123,7 +129,8 @@ bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
     isDone = budget.spend(mesh, kBentShare, search.isSimple);
   }
   if (result.early &&
-      result.parts.parts.size() > kMoreParts * result.early->parts.parts.size() + kFewMoreParts)
+      result.parts.parts.size() >
+          kMoreParts * std::max(result.early->parts.parts.size(), bentSidesOf(mesh, uncut)) + kFewMoreParts)
     takeEarly(mesh, result);
   result.reflexCuts += search.reflexCuts;
   return search.hasSpoilt;

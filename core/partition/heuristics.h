@@ -71,8 +71,9 @@ inline constexpr double kMirrored = 1e-6;      // of the domain's size: chains t
 inline constexpr double kLikeCosine = 0.95; // a plane through an axis in place of one midway between chains
 inline constexpr std::size_t kProposalsAlone = 6; // of one part that is halved, each judged by itself
 inline constexpr std::size_t kMostSpread = 8;     // parts that such a cut may add
-inline constexpr int kBentRounds = 80;
-// Cuts for shape that make more than so many times the parts, and so many more, are taken back.
+inline constexpr int kBentRounds = 1000;          // cuts; it is simplices that end them
+// Cuts for shape that make more than so many times as many parts as there were, or bent sides, and so many
+// more, are taken back.
 inline constexpr std::size_t kMoreParts = 3;
 inline constexpr std::size_t kFewMoreParts = 6;
 

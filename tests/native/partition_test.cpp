@@ -126,5 +126,22 @@ TEST(BentSearch, MendsJointsByRowsOfCuts) {
   for (const PartInfo &part : parts.parts) EXPECT_TRUE(part.isSimple()) << describe(part.defect, 3);
 }
 
+// One part has all the holes at first: as many cuts as they need are no extravagance, however many there are,
+// and however fine they are.
+TEST(BentSearch, CutsAPlateOfManyHoles) {
+  for (const auto &[across, n] : {std::pair(4, 16), std::pair(8, 16), std::pair(8, 32)}) {
+    SCOPED_TRACE(across * 100 + n);
+    const double width = across;
+    Domain<3> domain = prism({{0, 0}, {width, 0}, {width, width}, {0, width}}, 0, 0.5);
+    for (int x = 0; x < across; ++x)
+      for (int y = 0; y < across; ++y) addHole(domain, circle(n, 0.25, {x + 0.5, y + 0.5}), 0, 0.5);
+    const PipelineResult<3> r = run(domain);
+    EXPECT_TRUE(r.certificate.valid) << failuresOf(r.certificate);
+    EXPECT_EQ(r.fallbackComponents, 0);
+    EXPECT_GT(minimumQuality(r), 0.6);
+    EXPECT_LT(r.primal.blocks.size(), 22 * static_cast<std::size_t>(across * across));
+  }
+}
+
 } // namespace
 } // namespace dualblock::test
