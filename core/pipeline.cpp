@@ -8,6 +8,7 @@
 #include "mesh_parts.h"
 #include "partition/heuristics.h"
 #include "reference/culprits.h"
+#include "reference/patches.h"
 #include "remesh/remesh.h"
 #include "stage_clock.h"
 
@@ -172,8 +173,7 @@ Result<PipelineResult<N>> runStages(const Domain<N> &given, const PipelineOption
   const CutOptions cutOptions{options.tolerance * r.mesh.size + 2 * r.domain.deviation,
                               toIndex(domain.facets.size())};
   const bool wantsShape = options.objective == Objective::shape;
-  for (Index f = 0; f < toIndex(domain.facets.size()); ++f)
-    r.bentSides += r.mesh.surfaces[at(f)].patch == f ? 1 : 0;
+  r.bentSides = bentSideCount(r.mesh);
   const bool mayPropose = wantsShape || r.bentSides > 0 || (N == 2 && r.mesh.simplexCount() <= kCheap);
   const ReferenceMesh<N> uncut = mayPropose ? r.mesh : ReferenceMesh<N>{};
   PartChoice<N> choice = chooseParts<N>(r.mesh, r.features, cutOptions, needCoarse, isCoarse);

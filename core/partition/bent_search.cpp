@@ -15,9 +15,11 @@ bool isWorse(const std::vector<bool> &before, const std::vector<bool> &now) {
 /// Best-first search for cuts that leave no joint wrong.
 class JointSearch {
 public:
-  JointSearch(const ReferenceMesh<3> &mesh, const Parts<3> &parts, const BentCutOptions &options)
-      : options_(options), start_(costOf(parts)) {
-    open_.push_back({start_.sum(), parts.parts.size(), mesh});
+  /// `parts`, `cost`: how many the mesh has, and what they cost.
+  JointSearch(const ReferenceMesh<3> &mesh, std::size_t parts, const Cost &cost,
+              const BentCutOptions &options)
+      : options_(options), start_(cost) {
+    open_.push_back({start_.sum(), parts, mesh});
     trialsLeft_ = std::min<Index>(kJointTrials, kJointWork / (mesh.simplexCount() + 1));
   }
 
@@ -119,7 +121,7 @@ bool BentSearch::cutBy(std::span<const Source> sources, PartView &view) {
 bool BentSearch::trySource(Source source, const PartView &view) {
   std::optional<ReferenceMesh<3>> best;
   Parts<3> bestParts;
-  Index least = 0;
+  Cost least;
   for (const Cut &cut : source(view)) {
     if (!makeCut(mesh_, view, cut, options_, refused_)) continue;
     Parts<3> now = buildParts(mesh_, PartOptions{});
@@ -131,10 +133,10 @@ bool BentSearch::trySource(Source source, const PartView &view) {
     const Cost cost = costOf(now);
     if (!weighsCuts_ || (cost.joints <= cost_.joints && !best)) {
       hasSpoilt = hasSpoilt || cost.joints > cost_.joints;
-      return take(std::move(now));
+      return take(std::move(now), cost);
     }
-    if (!best || cost.sum() < least) {
-      least = cost.sum();
+    if (!best || cost.sum() < least.sum()) {
+      least = cost;
       best = std::move(mesh_);
       bestParts = std::move(now);
     }
@@ -142,13 +144,13 @@ bool BentSearch::trySource(Source source, const PartView &view) {
   }
   if (!best) return false;
   mesh_ = std::move(*best);
-  return take(std::move(bestParts));
+  return take(std::move(bestParts), least);
 }
 
-bool BentSearch::take(Parts<3> parts) {
+bool BentSearch::take(Parts<3> parts, const Cost &cost) {
   partsBefore = std::exchange(parts_, std::move(parts));
   isSimple = simpleComponents(mesh_, parts_);
-  cost_ = costOf(parts_);
+  cost_ = cost;
   return true;
 }
 
@@ -158,21 +160,24 @@ bool BentSearch::cutReflexAgain() {
   const Index cuts = cutReflex_(mesh_, parts_);
   if (cuts == 0) return false;
   Parts<3> now = buildParts(mesh_, PartOptions{});
-  if (isWorse(isSimple, simpleComponents(mesh_, now)) || costOf(now).sum() > cost_.sum()) {
+  const Cost cost = costOf(now);
+  if (isWorse(isSimple, simpleComponents(mesh_, now)) || cost.sum() > cost_.sum()) {
     mesh_ = meshBefore;
     return false;
   }
   reflexCuts += cuts;
-  return take(std::move(now));
+  return take(std::move(now), cost);
 }
 
 bool BentSearch::cutJoints() {
   if (triedJoints_ || cost_.joints == 0) return false;
   triedJoints_ = true;
-  auto found = JointSearch(mesh_, parts_, options_).run();
+  auto found = JointSearch(mesh_, parts_.parts.size(), cost_, options_).run();
   if (!found) return false;
   mesh_ = std::move(*found);
-  return take(buildParts(mesh_, PartOptions{}));
+  Parts<3> now = buildParts(mesh_, PartOptions{});
+  const Cost cost = costOf(now);
+  return take(std::move(now), cost);
 }
 
 } // namespace dualblock

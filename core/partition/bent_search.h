@@ -45,7 +45,7 @@ private:
   bool trySource(Source source, const PartView &view);
   bool cutReflexAgain();
   bool cutJoints();
-  bool take(Parts<3> parts);
+  bool take(Parts<3> parts, const Cost &cost);
 
   ReferenceMesh<3> &mesh_;
   Parts<3> &parts_;

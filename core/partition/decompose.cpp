@@ -8,6 +8,7 @@
 #include "partition/sources/corners.h"
 #include "partition/sources/reflex.h"
 #include "parts/place.h"
+#include "reference/patches.h"
 
 namespace dualblock {
 namespace {
@@ -100,12 +101,6 @@ void cutReflexCurves(ReferenceMesh<N> &mesh, const Parts<N> &parts, const Decomp
   if (mesh.simplexCount() > options.mostSimplices) budget.update(mesh);
 }
 
-std::size_t bentSidesOf(const ReferenceMesh<3> &mesh, const Parts<3> &uncut) {
-  return static_cast<std::size_t>(
-      std::count_if(uncut.sides.begin(), uncut.sides.end(),
-                    [&](const Side &side) { return mesh.surfaces[at(FaceTag::surface(side.tag))].bent; }));
-}
-
 /// Rule 3. Returns whether a cut has spoilt a joint.
 bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
                   bool weighsCuts, Budget<3> &budget, Decomposition<3> &result) {
@@ -130,7 +125,7 @@ bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
   }
   if (result.early &&
       result.parts.parts.size() >
-          kMoreParts * std::max(result.early->parts.parts.size(), bentSidesOf(mesh, uncut)) + kFewMoreParts)
+          kMoreParts * std::max(result.early->parts.parts.size(), at(bentSideCount(mesh))) + kFewMoreParts)
     takeEarly(mesh, result);
   result.reflexCuts += search.reflexCuts;
   return search.hasSpoilt;
@@ -140,8 +135,7 @@ bool cutBentParts(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const Decompose
 /// one of these spoils how sides join, cuts that are weighed.
 void cutBentPartsBest(ReferenceMesh<3> &mesh, const Parts<3> &uncut, const DecomposeOptions &options,
                       Budget<3> &budget, Decomposition<3> &result) {
-  if (std::none_of(mesh.surfaces.begin(), mesh.surfaces.end(), [](const Surface<3> &s) { return s.bent; }))
-    return;
+  if (bentSideCount(mesh) == 0) return;
   ReferenceMesh<3> weighedMesh = mesh;
   Budget<3> weighedBudget = budget;
   Decomposition<3> weighed = result;

@@ -16,4 +16,12 @@ inline constexpr Index kSmoothFacets = 6;
 /// sides joins.
 void joinSmoothFacets(ReferenceMesh<3> &mesh, double featureAngle);
 
+/// Patches of facets that were joined: each is numbered by one of its surfaces.
+template <int N> Index bentSideCount(const ReferenceMesh<N> &mesh) {
+  Index count = 0;
+  for (std::size_t f = 0; f < mesh.surfaces.size(); ++f)
+    if (mesh.surfaces[f].patch == toIndex(f)) ++count;
+  return count;
+}
+
 } // namespace dualblock

@@ -7,27 +7,26 @@ namespace dualblock {
 /// The nodes around an edge in order, so that (a, b, ring i, ring i + 1) are the tetrahedra of shell_. False
 /// where they are no single fan, or too many.
 bool TetEditor::findRing(Index a, Index b, bool &isClosed) {
-  auto &pairs = pairs_;
-  pairs.clear();
+  pairs_.clear();
   for (const Index t : shell_) {
     const Tet &tet = mesh_.tets[at(t)];
     std::array<Index, 2> pair{kNone, kNone};
     for (const Index v : tet.v)
       if (v != a && v != b) pair[pair[0] == kNone ? 0 : 1] = v;
     if (volume6(mesh_.x(a), mesh_.x(b), mesh_.x(pair[0]), mesh_.x(pair[1])) < 0) std::swap(pair[0], pair[1]);
-    pairs.push_back(pair);
+    pairs_.push_back(pair);
   }
   const auto from = [&](Index node, std::size_t k) {
-    return std::find_if(pairs.begin(), pairs.end(), [&](const auto &p) { return p[k] == node; });
+    return std::find_if(pairs_.begin(), pairs_.end(), [&](const auto &p) { return p[k] == node; });
   };
-  auto start = pairs.begin();
-  for (auto p = pairs.begin(); p != pairs.end(); ++p)
-    if (from((*p)[0], 1) == pairs.end()) start = p;
-  isClosed = from((*start)[0], 1) != pairs.end();
+  auto start = pairs_.begin();
+  for (auto p = pairs_.begin(); p != pairs_.end(); ++p)
+    if (from((*p)[0], 1) == pairs_.end()) start = p;
+  isClosed = from((*start)[0], 1) != pairs_.end();
   ring_.assign(1, (*start)[0]);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto next = from(ring_.back(), 0);
-    if (next == pairs.end()) return false;
+    if (next == pairs_.end()) return false;
     ring_.push_back((*next)[1]);
   }
   if (isClosed) {

@@ -4,7 +4,6 @@ namespace dualblock {
 
 Index TetMesh::add(const Tet &tet) {
   Index t = toIndex(tets.size());
-  ++clock_;
   if (free_.empty()) {
     tets.push_back(tet);
     seen_.push_back(0);
@@ -13,10 +12,8 @@ Index TetMesh::add(const Tet &tet) {
     free_.pop_back();
     tets[at(t)] = tet;
   }
-  for (const Index v : tet.v) {
-    stars_[at(v)].push_back(t);
-    stamps_[at(v)] = clock_;
-  }
+  for (const Index v : tet.v) stars_[at(v)].push_back(t);
+  touch(t);
   ++alive_;
   if (isMarked_) edits_.push_back({t, kNone, {}, {}});
   return t;
@@ -24,9 +21,8 @@ Index TetMesh::add(const Tet &tet) {
 
 void TetMesh::remove(Index t) {
   if (isMarked_) edits_.push_back({kNone, kNone, tets[at(t)], {}});
-  ++clock_;
+  touch(t);
   for (Index &v : tets[at(t)].v) {
-    stamps_[at(v)] = clock_;
     std::vector<Index> &star = stars_[at(v)];
     *std::find(star.begin(), star.end(), t) = star.back();
     star.pop_back();
@@ -43,14 +39,17 @@ void TetMesh::mark() {
 
 void TetMesh::move(Index node, const Vec<3> &x) {
   if (isMarked_) edits_.push_back({kNone, node, {}, nodes[at(node)].x});
-  nodes[at(node)].x = x;
-  stampAround(node);
+  place(node, x);
 }
 
-void TetMesh::stampAround(Index node) {
+void TetMesh::place(Index node, const Vec<3> &x) {
+  nodes[at(node)].x = x;
+  for (const Index t : stars_[at(node)]) touch(t);
+}
+
+void TetMesh::touch(Index t) {
   ++clock_;
-  for (const Index t : stars_[at(node)])
-    for (const Index v : tets[at(t)].v) stamps_[at(v)] = clock_;
+  for (const Index v : tets[at(t)].v) stamps_[at(v)] = clock_;
 }
 
 bool TetMesh::hasChanged(Index t) const {
@@ -64,22 +63,16 @@ void TetMesh::setTag(Index t, std::size_t face, Index tag) {
     edits_.push_back({t, kNone, {}, {}});
   }
   tets[at(t)].tags[face] = tag;
-  ++clock_;
-  for (const Index v : tets[at(t)].v) stamps_[at(v)] = clock_;
+  touch(t);
 }
 
 void TetMesh::rollBack() {
   isMarked_ = false;
   // In between a tetrahedron's number may have gone to another: from the last edit on, each is the one meant.
   for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit)
-    if (edit->node != kNone) {
-      nodes[at(edit->node)].x = edit->place;
-      stampAround(edit->node);
-    } else if (edit->tet != kNone) {
-      remove(edit->tet);
-    } else {
-      add(edit->was);
-    }
+    if (edit->node != kNone) place(edit->node, edit->place);
+    else if (edit->tet != kNone) remove(edit->tet);
+    else add(edit->was);
 }
 
 double TetMesh::worstOfNew() const {

@@ -107,12 +107,13 @@ public:
   void facesAt(Index a, Index b, const std::vector<Index> &shell, std::vector<EdgeFace> &faces) const;
 
 private:
-  void stampAround(Index node);
+  void place(Index node, const Vec<3> &x);
+  void touch(Index t); // something at its nodes has changed
 
   std::vector<std::vector<Index>> stars_;
-  std::uint32_t clock_ = 1;             // counts changes
-  std::vector<std::uint32_t> stamps_{}; // per node: of the last one there
-  std::vector<std::uint32_t> seen_{};   // per tetrahedron: when it was last found unchanged
+  std::uint64_t clock_ = 1;             // counts changes
+  std::vector<std::uint64_t> stamps_{}; // per node: of the last one there
+  std::vector<std::uint64_t> seen_{};   // per tetrahedron: when it was last found unchanged
   struct Edit { // a tetrahedron that came (its number) or went (what it was), or where a node was
     Index tet, node;
     Tet was;

@@ -10,8 +10,10 @@ find core wasm tests \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang
 
 cmake --preset lint >/dev/null # for compile_commands.json, and files that hold a folder each
 # shellcheck disable=SC2016 # $0 is the inner shell's: one file
-grep -o '"file": "[^"]*/\(Unity/[^"]*\|core/[^"]*\)"' build/lint/compile_commands.json | cut -d'"' -f4 |
-  grep -v /core/toolchain/ | xargs -n 1 -P 2 sh -c '
+node -p '
+  JSON.parse(fs.readFileSync("build/lint/compile_commands.json"))
+    .filter(({ command }) => command.includes(" -o CMakeFiles/dualblock-core.dir/"))
+    .map(({ file }) => file).join("\0")' | tr -d '\n' | xargs -0 -n 1 -P 2 sh -c '
   report=$(clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p build/lint "$0" 2>&1) || {
     printf "%s\n" "$report"
     exit 1

@@ -5,12 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "partition/heuristics.h"
 #include "support/examples.h"
 
 namespace dualblock::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(CurveKinds, FollowTheInteriorAngle) {
   EXPECT_EQ(curveKind(20 * kDegree), CurveKind::end);

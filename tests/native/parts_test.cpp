@@ -7,13 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "partition/heuristics.h"
 #include "partition/sources/sectors.h"
 #include "support/examples.h"
 
 namespace dualblock::test {
 namespace {
-
-constexpr double kOneDegree = std::numbers::pi / 180;
 
 struct Shape {
   const char *name;
@@ -57,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 template <int N> std::vector<double> sortedAngles(const Parts<N> &parts) {
   std::vector<double> angles;
-  for (const Curve<N> &curve : parts.curves) angles.push_back(curve.angle / kOneDegree);
+  for (const Curve<N> &curve : parts.curves) angles.push_back(curve.angle / kDegree);
   std::sort(angles.begin(), angles.end());
   return angles;
 }
@@ -72,7 +71,7 @@ TEST(Angles, OfTheExamples) {
   std::vector<double> brick(17, 90);
   brick.push_back(270);
   expectAngles(sortedAngles(buildParts(fill(loadExample<3>("l_shape_extruded"), 0.5), {})), brick);
-  const double dihedral = std::acos(-1.0 / 3) / kOneDegree; // of the octahedron
+  const double dihedral = std::acos(-1.0 / 3) / kDegree; // of the octahedron
   expectAngles(sortedAngles(buildParts(fill(loadExample<3>("double_pyramid")), {})),
                std::vector<double>(12, dihedral));
   expectAngles(sortedAngles(buildParts(fill(loadExample<2>("pentagon_2d")), {})),
@@ -86,7 +85,7 @@ TEST(Angles, OfTheVertexTypes) {
     SCOPED_TRACE(name);
     const auto parts = buildParts(fill(loadExample<2>(name), 0.3, 2), {});
     bool found = false;
-    for (const Curve<2> &curve : parts.curves) found |= std::abs(curve.angle / kOneDegree - angle) < 1e-6;
+    for (const Curve<2> &curve : parts.curves) found |= std::abs(curve.angle / kDegree - angle) < 1e-6;
     EXPECT_TRUE(found);
   }
 }
@@ -109,7 +108,7 @@ TEST(SectorPlanes, CountAndSectors) {
   using std::numbers::pi;
   for (int degrees = 181; degrees < 360; ++degrees) {
     SCOPED_TRACE(degrees);
-    const double angle = degrees * kOneDegree;
+    const double angle = degrees * kDegree;
     const std::vector<double> planes = sectorPlanes(curveKind(angle), angle);
     // A plane through the curve is met inside at its direction and, where that is inside too, opposite to it.
     std::vector<double> rays{0, angle};
@@ -119,7 +118,7 @@ TEST(SectorPlanes, CountAndSectors) {
     std::sort(rays.begin(), rays.end());
     const std::size_t ideal = degrees <= 225 ? 2 : degrees <= 315 ? 3 : 4;
     EXPECT_EQ(rays.size() - 1, ideal);
-    for (std::size_t k = 0; k + 1 < rays.size(); ++k) EXPECT_LT(rays[k + 1] - rays[k], 135.5 * kOneDegree);
+    for (std::size_t k = 0; k + 1 < rays.size(); ++k) EXPECT_LT(rays[k + 1] - rays[k], 135.5 * kDegree);
   }
 }
 
@@ -151,8 +150,7 @@ TEST(Parts, NotSimpleForAReason) {
 // own.
 TEST(Parts, FacetsOfACylinderAreSides) {
   std::vector<Vec<2>> circle;
-  for (int k = 0; k < 24; ++k)
-    circle.emplace_back(std::cos(15 * k * kOneDegree), std::sin(15 * k * kOneDegree));
+  for (int k = 0; k < 24; ++k) circle.emplace_back(std::cos(15 * k * kDegree), std::sin(15 * k * kDegree));
   const auto parts = buildParts(fill(prism(circle, 0, 1), 0, 0, 0), {});
   EXPECT_EQ(parts.sides.size(), 26U);
   EXPECT_EQ(parts.curves.size(), 72U);
